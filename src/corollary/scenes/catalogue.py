@@ -14,6 +14,7 @@ from corollary.scenes import library
 from corollary.scenes.definition import SceneDefinition, settle
 from corollary.scenes.independent import SECOND_WAYS
 from corollary.scenes.run import NEVER_PART, BadSetting, Observed, Run, components
+from corollary.scenes.sound import refuse_tolerance
 
 
 class Library(Mapping[str, SceneDefinition]):
@@ -61,10 +62,7 @@ def run(
         raise BadSetting(
             f"There is no scene {name!r}{did_you_mean(name, SCENES)}; there are {', '.join(SCENES)}."
         )
-    if not (math.isfinite(tolerance) and 1e-15 <= tolerance <= 0.1):
-        raise BadSetting(
-            f"{name}: a tolerance of {tolerance:g} cannot be held; ask for one between 1e-15 and 0.1."
-        )
+    refuse_tolerance(name, tolerance)
     scene = SCENES[name]
     settled = settle(name, scene.settings, settings)
     begin = time.perf_counter()

@@ -21,6 +21,7 @@ from corollary.scenes.integrate.regularised import MOST_COMPILED
 from corollary.scenes.integrate.single_contact import MOST_STEPS
 from corollary.scenes.library import spheres
 from corollary.scenes.run import BadSetting
+from corollary.scenes.sound import refuse_tolerance
 
 Array = NDArray[np.float64]
 OUTCOMES = np.array(["released", "missed", "sticks", "refused"])
@@ -50,8 +51,7 @@ def ensemble(name: str, given: Mapping[str, Any], tolerance: float = 1e-9) -> En
     """
     if name not in PLAYED:
         raise BadSetting(f"An ensemble is of {' or '.join(PLAYED)}, not of {name!r}; play others one by one.")
-    if not 1e-13 <= tolerance <= 1e-2:
-        raise BadSetting(f"{name}: ask for a tolerance between 1e-13 and 0.01, not {tolerance:g}.")
+    refuse_tolerance(name, tolerance, 1e-13, 0.01)
     return PLAYED[name](*_settings(name, given), tolerance)
 
 

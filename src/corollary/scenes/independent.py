@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
+from corollary.scenes.asked import within_range
 from corollary.scenes.collision import collide
 from corollary.scenes.collisions_in_turn import STEPS, chain, rocket, second_run
 from corollary.scenes.definition import Settings, numbers, one, row
@@ -53,7 +54,8 @@ def composed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
     if scene.until is None and "trajectory" in observe:
         raise BadSetting("a trajectory is looked up where the scene ends: say until=…")
     times = (scene.until,) if scene.until is not None else ()
-    return _followed(scene, {known[name] for name in observe}, tolerance, times)
+    with within_range(scene):
+        return _followed(scene, {known[name] for name in observe}, tolerance, times)
 
 
 def absorbed_drop(settings: Settings, tolerance: float) -> Run:

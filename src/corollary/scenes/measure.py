@@ -62,9 +62,10 @@ def _grazing(scene: Scene, tolerance: float) -> tuple[Trajectory | None, ...]:
     if not (rough.grazes or right.grazes):
         return ()
     found: list[Trajectory | None] = []
-    for shift in (rough.near, -rough.near):
+    for shift, begin in ((rough.near, 0.95), (-rough.near, 0.975)):
         try:
-            found.append(follow(scene, min(max(tolerance, FINER * FINEST), COARSEST), shift=shift))
+            with part(begin, begin + 0.025):
+                found.append(follow(scene, min(max(tolerance, FINER * FINEST), COARSEST), shift=shift))
         except (BadSetting, GuardFailed):
             found.append(None)
     return tuple(found)
@@ -102,6 +103,10 @@ def measured(
     same = [h.what for h in rough.happenings] == [h.what for h in right.happenings]
     for what in [o for o in Observable if o in observe]:  # a set's order is another in every process
         value = look(scene, right, what, times)
+        if not all(map(math.isfinite, components(value))):  # no double holds it
+            unknown: Observed = (math.inf,) * len(value) if isinstance(value, tuple) else math.inf
+            found[what.value] = Measurement(value, unknown, "estimate", "integration", why, math.inf)
+            continue
         size = max(
             [abs(x) for x in components(value) if math.isfinite(x)] + [sizes.get(what, 0.0)], default=0.0
         )

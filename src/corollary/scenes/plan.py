@@ -10,6 +10,7 @@ import time
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from corollary.scenes.asked import refuse_question, within_doubles, within_range
 from corollary.scenes.closed_forms import in_a_plane, in_a_well, round_a_centre
 from corollary.scenes.collision import ROUNDING
 from corollary.scenes.conserved import conserved, parts_undamped
@@ -46,14 +47,14 @@ def plan(
 ) -> Plan:
     """Choose for everything asked for the least model that gives it; `times` (s) are those of a trajectory.
 
-    One observable that needs more does not make the others dearer. Raises BadSetting when no model gives one.
+    One observable that needs more does not make the others dearer. Raises BadSetting for a question that is none, a tolerance that
+    cannot be held, and when no model gives one of the observables; a value that no double holds is left out, and a warning says so.
     """
-    if not observe:
-        names = ", ".join(o.value for o in Observable)
-        raise BadSetting(f"{scene.name}: nothing is to be observed; name at least one of {names}.")
+    refuse_question(scene, observe, tolerance, times)
     times = _times(scene, observe, times)
     wanted = [o for o in Observable if o in observe]  # a set's order is another in every process
-    cheap = _cheap(scene, wanted, tolerance)
+    with within_range(scene):
+        cheap = _cheap(scene, wanted, tolerance)
     left = [o for o in wanted if o.value not in {name for run in cheap for name in run.measured}]
     why = "no integral of the motion gives what is asked: Newton's second law, step by step"
     models: dict[str, Model] = {name: each.model for run in cheap for name, each in run.measured.items()}
@@ -64,8 +65,9 @@ def plan(
         if left:
             from corollary.scenes.measure import measured  # here, since it brings scipy
 
-            runs = [*cheap, measured(scene, left, tolerance, why, times)]
-        return _together(runs, [o.value for o in wanted])
+            with within_range(scene):
+                runs = [*cheap, measured(scene, left, tolerance, why, times)]
+        return within_doubles(scene, _together(runs, [o.value for o in wanted]))
 
     if left:
         return Plan("integration", why, follow, models)
@@ -75,7 +77,7 @@ def plan(
 
 def _cheap(scene: Scene, wanted: Sequence[Observable], tolerance: float) -> list[Run]:
     """What is conserved, and what closed forms and collisions on a line or of a pair give: all at once where they can, else one by one."""
-    known = conserved(scene, wanted)
+    known = _conserved(scene, wanted)
     if scene.until is None and not parts_undamped(scene):
         known = {}
     if len(known) == len(wanted):
@@ -95,6 +97,17 @@ def _cheap(scene: Scene, wanted: Sequence[Observable], tolerance: float) -> list
             runs.append(found)
             left = [o for o in left if o not in singly]
     return runs
+
+
+def _conserved(scene: Scene, wanted: Sequence[Observable]) -> dict[Observable, Observed]:
+    """What the start says; infinite where a computer cannot tell it."""
+    known: dict[Observable, Observed] = {}
+    for what in wanted:
+        try:
+            known |= conserved(scene, [what])
+        except (OverflowError, ZeroDivisionError):
+            known[what] = math.inf
+    return known
 
 
 def _together(runs: Sequence[Run], names: Sequence[str]) -> Run:
@@ -124,7 +137,7 @@ def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]
     if Observable.TRAJECTORY not in observe:
         return ()
     end = math.inf if scene.until is None else scene.until
-    if not times:
+    if not len(times):  # an array has no truth
         if math.isinf(end):
             raise BadSetting(
                 f"{scene.name}: say at which times the trajectory is asked for, times=…, or until when to watch, until=…."
@@ -134,7 +147,7 @@ def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]
         raise BadSetting(
             f"{scene.name}: times of a trajectory lie between 0 and {end:g} s; choose others, or a later until=…."
         )
-    return tuple(times)
+    return tuple(map(float, times))
 
 
 def _at_the_start(scene: Scene, known: dict[Observable, Observed]) -> Run:

@@ -11,7 +11,9 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Flag
 
+from corollary.scenes.body import Body
 from corollary.scenes.constraint import Constraint, Rub, State
+from corollary.scenes.refused import refuse_misfits, refuse_parts
 from corollary.scenes.run import BadSetting
 
 
@@ -21,30 +23,6 @@ class Conserves(Flag):
     NOTHING = 0
     MOMENTUM = 1
     ENERGY = 2
-
-
-@dataclass(frozen=True, slots=True)
-class Body:
-    """SI; `place` and `velocity` have one or two components. A body of infinite mass is a wall: it keeps its velocity.
-
-    In a plane a body with a radius can spin: `spin` in rad/s, counter-clockwise, `inertia` about its centre in kg m^2, that of a solid
-    sphere unless another is given.
-    """
-
-    mass: float
-    place: tuple[float, ...]
-    velocity: tuple[float, ...]
-    radius: float = 0.0
-    name: str = ""
-    spin: float = 0.0
-    inertia: float | None = None
-
-    @property
-    def resists_spin(self) -> float:
-        """The moment of inertia (kg m^2): infinite for a point and for a wall, which nothing turns."""
-        if self.inertia is not None:
-            return self.inertia
-        return 0.4 * self.mass * self.radius**2 if self.radius > 0.0 else math.inf
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +57,10 @@ class Force(ABC):
         `since` is the state with which the present step began: a force that is switched by an event asks there whether it acts, and
         so keeps its form through the step. `masses` (kg) are those of this moment.
         """
+
+    def fits(self, scene: Scene) -> None:
+        """Raises BadSetting where its numbers are against the physics, or it does not fit the scene; asked once, as that is made."""
+        return
 
     def potential(self, scene: Scene, state: State) -> float:
         """The potential energy (J), none unless a force has one; its zero is the force's own choice."""
@@ -213,27 +195,17 @@ class Scene:
     """How many components places and velocities have."""
 
     def __post_init__(self) -> None:
+        refuse_parts(self, Force)
         axes = {len(vector) for body in self.bodies for vector in (body.place, body.velocity)}
         if axes not in ({1}, {2}):
             raise BadSetting(
                 f"{self.name}: places and velocities of all bodies need one component each, or two each."
             )
         object.__setattr__(self, "axes", len(self.bodies[0].place))
-        for body in self.bodies:
-            if not body.mass > 0.0 or body.radius < 0.0:
-                raise BadSetting(
-                    f"{self.name}: a body needs a mass above zero and a radius of zero or more; {body} has not."
-                )
-        for force in self.forces:
-            if any(not 0 <= i < len(self.bodies) for i in force.bodies):
-                raise BadSetting(
-                    f"{self.name}: {force} names a body that is not there; they are counted from 0."
-                )
         rubbed = any(force.rubs_surfaces for force in self.forces)
         turned = any(b.spin or (rubbed and not math.isinf(b.resists_spin)) for b in self.bodies)
         object.__setattr__(self, "spins", self.axes == 2 and turned)
-        if self.until is not None and not self.until > 0.0:
-            raise BadSetting(f"{self.name}: until = {self.until} s must be more than zero.")
+        refuse_misfits(self, start_of(self))
 
     @property
     def walls_at_rest(self) -> bool:

@@ -12,7 +12,7 @@ from corollary.scenes.forces.thrust import Thrust
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.plan import play
-from corollary.scenes.run import GuardFailed, Observable, Run, components
+from corollary.scenes.run import BadSetting, GuardFailed, Observable, Run, components
 from corollary.scenes.scene import Body, Force, Scene
 
 G = 9.8
@@ -92,7 +92,7 @@ def test_a_steep_wall_of_ones_own_throws_a_ball_back():
     ],
 )
 def test_a_force_that_is_no_number_ends_a_run_by_name(force):
-    with pytest.raises(GuardFailed):
+    with pytest.raises((BadSetting, GuardFailed)):
         played(Body(1.0, (0.0,), (0.0,)), force, until=1.0)
 
 

@@ -6,14 +6,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.scene import ForceOnOne, Pushes, Scene, State, velocity
+from corollary.scenes.sound import refuse_below, refuse_components
 
 
 @dataclass(frozen=True, slots=True)
 class Absorption(ForceOnOne):
-    """One body takes up mass that moves with `velocity`, at `rate` kg/s (> 0); its force is (u - v) dm/dt."""
+    """One body takes up mass that moves with `velocity`, at `rate` kg/s (not negative); its force is (u - v) dm/dt."""
 
     velocity: tuple[float, ...]
     rate: float
+
+    def fits(self, scene: Scene) -> None:
+        refuse_below(scene.name, self, least={"rate": 0.0})
+        refuse_components(scene.name, scene.axes, self, "velocity")
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         own = velocity(scene, state, self.body)

@@ -8,12 +8,14 @@ from dataclasses import dataclass
 
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.rows import spin, unit_row
+from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, ContactForce, Scene, overlap, seen_from
+from corollary.scenes.sound import refuse_below
 
 
 @dataclass(frozen=True, slots=True)
 class Contact(ContactForce):
-    """k in N/m^q, eta in kg/s; the push acts from zero overlap to zero overlap, as in the chapter's programs.
+    """k in N/m^q and q above zero, eta in kg/s not negative; the push acts from zero overlap to zero overlap, as in the chapter's programs.
 
     With `mu` (kinetic; `static` is the same where it is not given) surfaces rub at the contact, in a plane: the bodies are turned by it,
     and roll on each other where it holds. `chosen` names the pairs of bodies it acts between; without it, it acts between all that no
@@ -26,6 +28,13 @@ class Contact(ContactForce):
     mu: float = 0.0
     static: float | None = None
     chosen: tuple[tuple[int, int], ...] | None = None
+
+    def fits(self, scene: Scene) -> None:
+        refuse_below(scene.name, self, least={"eta": 0.0, "mu": 0.0}, above={"k": 0.0, "q": 0.0})
+        if self.held_by < self.mu:
+            raise BadSetting(
+                f"{scene.name}: Contact with mu = {self.mu:g} and static = {self.held_by:g}: the static one must not be the smaller."
+            )
 
     def between(self, scene: Scene, state: State, a: int, b: int) -> list[float]:
         """The push along the line of centres, the drag along the relative velocity."""

@@ -8,11 +8,12 @@ from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
 from corollary.scenes.scene import Event, ForceOnOne, Pushes, Scene, velocity
+from corollary.scenes.sound import refuse_below, refuse_components
 
 
 @dataclass(frozen=True, slots=True)
 class Drag(ForceOnOne):
-    """-(linear + quadratic |v|) v on one body, in kg/s and kg/m; v is relative to the `wind` (m/s).
+    """-(linear + quadratic |v|) v on one body, in kg/s and kg/m, neither negative; v is relative to the `wind` (m/s).
 
     |v| v is not smooth where the body turns: a step that ran over it would lose its order and not know its error, so one ends there.
     """
@@ -20,6 +21,12 @@ class Drag(ForceOnOne):
     linear: float = 0.0
     quadratic: float = 0.0
     wind: tuple[float, ...] = ()
+
+    def fits(self, scene: Scene) -> None:
+        """A coefficient below zero would drive the body: that is a `ForceFunction`."""
+        refuse_below(scene.name, self, least={"linear": 0.0, "quadratic": 0.0})
+        if self.wind:
+            refuse_components(scene.name, scene.axes, self, "wind")
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         relative = self._relative(scene, state)

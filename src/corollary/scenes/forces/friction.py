@@ -10,6 +10,7 @@ from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.rows import velocity_row
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import ForceOnOne, Pushes, Scene
+from corollary.scenes.sound import refuse_components, refuse_unsound
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,7 +18,7 @@ class Friction(ForceOnOne):
     """mu m g against the velocity of one body (by its place in the scene) relative to a `belt` (m/s); m is its mass at the time.
 
     At rest on it the body is held by up to `static` m g; `static` is mu where it is not given. Raises BadSetting for a static
-    coefficient below the kinetic one, or either below zero.
+    coefficient below the kinetic one, or either, or g, below zero.
     """
 
     mu: float
@@ -26,10 +27,19 @@ class Friction(ForceOnOne):
     belt: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
+        refuse_unsound("a scene", self)
+        if self.g < 0.0:
+            raise BadSetting(
+                f"Friction with g = {self.g:g}: nothing presses on a table then; g is zero or more."
+            )
         if self.mu < 0.0 or self.held_by < self.mu:
             raise BadSetting(
                 f"Friction with mu = {self.mu:g} and static = {self.held_by:g}: both are zero or more, the static one not the smaller."
             )
+
+    def fits(self, scene: Scene) -> None:
+        if self.belt:
+            refuse_components(scene.name, scene.axes, self, "belt")
 
     @property
     def held_by(self) -> float:

@@ -6,7 +6,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
-from corollary.scenes.scene import Conserves, ForceOnOne, Pushes, Scene, place, velocity
+from corollary.scenes.refused import WRITTEN_WRONG, refuse_own
+from corollary.scenes.run import GuardFailed
+from corollary.scenes.scene import Conserves, ForceOnOne, Pushes, Scene, place, start_of, velocity
+from corollary.scenes.sound import size_of
 
 Field = Callable[[float, Sequence[float], Sequence[float]], Sequence[float]]
 Potential = Callable[[Sequence[float]], float]
@@ -18,10 +21,15 @@ class ForceFunction(ForceOnOne):
 
     With `energy`, the potential energy (J) at a place, the force conserves energy, and every run is watched for it: a potential that
     is not the function's is found out. The function is to be smooth; where it jumps, write a `Force` with `events`.
+    What it gives must be finite at the start, and everywhere a tuple of as many real numbers as places have: a scene refuses one that is not
+    (BadSetting), and GuardFailed is raised where it is not on the way.
     """
 
     function: Field
     energy: Potential | None = None
+
+    def fits(self, scene: Scene) -> None:
+        refuse_own(scene, self, start_of(scene))
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """At time zero; `act_at` knows the time."""
@@ -30,10 +38,16 @@ class ForceFunction(ForceOnOne):
     def act_at(
         self, scene: Scene, time: float, state: State, masses: Sequence[float], since: State
     ) -> Pushes:
-        yield (
-            self.body,
-            self.function(time, place(scene, state, self.body), velocity(scene, state, self.body)),
-        )
+        x, v = place(scene, state, self.body), velocity(scene, state, self.body)
+        try:
+            newtons = self.function(time, x, v)
+        except WRITTEN_WRONG as error:  # a stage thrown out of range is a step not taken
+            raise GuardFailed(
+                f"{scene.name}: the function of ForceFunction fails at {time:.6g} s ({type(error).__name__}: {error}); mend it, "
+                "or watch for a shorter time."
+            ) from error
+        size_of(newtons, scene.axes, f"{scene.name}: ForceFunction", time)
+        yield self.body, newtons
 
     def potential(self, scene: Scene, state: State) -> float:
         """The function's own, none without one."""

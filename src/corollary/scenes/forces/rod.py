@@ -11,6 +11,7 @@ from corollary.scenes.constraint import Constraint, State
 from corollary.scenes.rows import unit_row
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from
+from corollary.scenes.sound import refuse_below
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,18 +20,25 @@ class Link(ForceBetween, ABC):
 
     length: float | None = None
 
+    def fits(self, scene: Scene) -> None:
+        self.span(scene)
+
+    def span(self, scene: Scene) -> float:
+        """The length (m). Raises BadSetting when there is none."""
+        length = self.length
+        if length is None:
+            length = math.dist(*(scene.bodies[i].place for i in self.ends))
+        if not length > 0.0:
+            raise BadSetting(f"{scene.name}: a rod or string between {self.ends} needs a length above zero.")
+        return length
+
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """Nothing by itself: it holds."""
         return ()
 
     def held(self, scene: Scene, what: str, sign: float, two_sided: bool, restitution: float) -> Constraint:
         """The distance beyond the length (sign 1) or the slack (sign -1), as a gap. Raises BadSetting when there is no length."""
-        a, b = self.ends
-        length = self.length
-        if length is None:
-            length = math.dist(scene.bodies[a].place, scene.bodies[b].place)
-        if not length > 0.0:
-            raise BadSetting(f"{scene.name}: a rod or string between {self.ends} needs a length above zero.")
+        (a, b), length = self.ends, self.span(scene)
 
         def direction(y: State) -> tuple[list[float], float, list[float]]:
             apart, relative = seen_from(scene, y, a, b)
@@ -61,6 +69,15 @@ class Rod(Link):
     `length` (m) is the distance at the start if it is not given.
     """
 
+    def fits(self, scene: Scene) -> None:
+        self.span(scene)
+        a, b = (scene.bodies[i] for i in self.ends)
+        if math.isinf(a.mass) and math.isinf(b.mass) and a.velocity != b.velocity:
+            raise BadSetting(
+                f"{scene.name}: a rod cannot hold bodies {self.ends[0]} and {self.ends[1]}, which nothing moves and whose velocities differ; "
+                "give them one."
+            )
+
     def constraints(self, scene: Scene) -> Iterator[Constraint]:
         """The distance beyond the length: zero. Raises BadSetting for bodies that start in the same place."""
         yield self.held(scene, "rod", 1.0, two_sided=True, restitution=0.0)
@@ -74,10 +91,28 @@ class Rod(Link):
 class String(Link):
     """A string that cannot be stretched: slack, or taut and pulling. It jerks taut with `restitution` (0: it stays taut).
 
-    `length` (m) is the distance at the start if it is not given.
+    `restitution` lies between 0 and 1. `length` (m) is the distance at the start if it is not given.
     """
 
     restitution: float = 0.0
+
+    def fits(self, scene: Scene) -> None:
+        length = self.span(scene)
+        refuse_below(scene.name, self, least={"restitution": 0.0})
+        if self.restitution > 1.0:
+            raise BadSetting(
+                f"{scene.name}: String with restitution = {self.restitution:g}: it must be at most 1."
+            )
+        a, b = (scene.bodies[i] for i in self.ends)
+        if math.isinf(a.mass) and math.isinf(b.mass) and scene.until is not None:
+            far = math.dist(
+                *([x + v * scene.until for x, v in zip(e.place, e.velocity, strict=True)] for e in (a, b))
+            )
+            if far > length * (1.0 + 1e-9):
+                raise BadSetting(
+                    f"{scene.name}: a string of {length:g} m cannot hold bodies {self.ends[0]} and {self.ends[1]}, which nothing moves "
+                    f"and which are {far:g} m apart at the end; watch for a shorter time."
+                )
 
     def constraints(self, scene: Scene) -> Iterator[Constraint]:
         """The slack: not negative. Raises BadSetting for bodies that start in the same place without a length given."""

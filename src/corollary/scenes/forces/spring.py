@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.scene import Conserves, Event, ForceBetween, Pushes, Scene, State, opposite, seen_from
+from corollary.scenes.sound import refuse_below
 
 FADING = 40.0
 """In powers of e, over the time that something takes to get stuck: less than a double tells is left of its relative velocity."""
@@ -14,11 +15,18 @@ FADING = 40.0
 
 @dataclass(frozen=True, slots=True)
 class Spring(ForceBetween):
-    """k in N/m, `length` the one at rest (m); `ends` are two places in the list of bodies; `damping` in kg/s acts along it."""
+    """k in N/m, `length` the one at rest (m); `ends` are two places in the list of bodies; `damping` in kg/s acts along it.
+
+    Length and damping are not negative: such a dashpot would drive. A negative k is one that pushes away from its length, as a pendulum
+    on its head does: unstable, and as good a law as any.
+    """
 
     k: float
     length: float = 0.0
     damping: float = 0.0
+
+    def fits(self, scene: Scene) -> None:
+        refuse_below(scene.name, self, least={"length": 0.0, "damping": 0.0})
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         apart, relative = seen_from(scene, state, *self.ends)

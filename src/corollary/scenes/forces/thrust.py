@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.scene import ForceOnOne, Pushes, Scene, State
+from corollary.scenes.sound import refuse_below, refuse_components
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,6 +18,10 @@ class Thrust(ForceOnOne):
 
     relative: tuple[float, ...]
     burn: float
+
+    def fits(self, scene: Scene) -> None:
+        refuse_below(scene.name, self, above={"burn": 0.0})
+        refuse_components(scene.name, scene.axes, self, "relative")
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         yield self.body, [-self.burn * v for v in self.relative]

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import Constraint, Rub, State
+from corollary.scenes.moves import Shift, refuse_moves
 from corollary.scenes.rows import unit_row
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, Force, Pushes, Scene, place
-
-Shift = Callable[[float], tuple[float, float, float]]
+from corollary.scenes.sound import refuse_components, refuse_unsound, size_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,8 @@ class HardWall(Force):
 
     `mu` is its kinetic, `static` its static friction (mu if not given), in a plane: a body with a radius is made to spin by it.
     `velocity` (m/s) moves it along its normal; `moves` gives offset, velocity and acceleration at a time instead. `only` names the
-    bodies it is there for, all if none. Raises BadSetting when the normal is no unit vector, or a coefficient is out of range.
+    bodies it is there for, all if none. Raises BadSetting when the normal is no unit vector, or a coefficient is out of range; the scene
+    refuses `moves` that do not give three numbers, or a velocity that is not what the offset changes by.
     """
 
     normal: tuple[float, ...]
@@ -33,6 +34,7 @@ class HardWall(Force):
     only: tuple[int, ...] = ()
 
     def __post_init__(self) -> None:
+        refuse_unsound("a scene", self)
         if abs(math.hypot(*self.normal) - 1.0) > 1e-9:
             raise BadSetting(f"HardWall: normal = {self.normal} must have the length one.")
         if not (0.0 <= self.restitution <= 1.0 and self.mu >= 0.0 and self.held_by >= self.mu):
@@ -40,14 +42,23 @@ class HardWall(Force):
                 "HardWall: restitution lies between 0 and 1, mu is zero or more, static not less than mu."
             )
 
+    def fits(self, scene: Scene) -> None:
+        refuse_components(scene.name, scene.axes, self, "normal")
+        if self.moves is not None:
+            refuse_moves(scene.name, self.moves, scene.until or 0.0)
+
     @property
     def held_by(self) -> float:
         """The static coefficient."""
         return self.mu if self.static is None else self.static
 
     def at(self, time: float) -> tuple[float, float, float]:
-        """Offset (m), velocity and acceleration along the normal at a time."""
-        return self.moves(time) if self.moves else (self.offset + self.velocity * time, self.velocity, 0.0)
+        """Offset (m), velocity and acceleration along the normal at a time. Raises GuardFailed where `moves` does not give them."""
+        if self.moves is None:
+            return self.offset + self.velocity * time, self.velocity, 0.0
+        moved = self.moves(time)
+        size_of(moved, 3, "HardWall(moves=…)", time)
+        return moved
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """Nothing by itself: it holds bodies back."""

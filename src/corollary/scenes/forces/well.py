@@ -7,13 +7,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.scene import Conserves, Event, Force, Pushes, Scene, State, bounced, place, velocity
+from corollary.scenes.sound import refuse_below
 
 
 @dataclass(frozen=True, slots=True)
 class Well(Force):
     """U = k (r - b)^2 / 2 for b - d < r < b + d, k d^2 / 2 farther out, a hard core at b - d; r is the distance from the origin.
 
-    Source: equations (12.138) and (12.140).
+    k, b and d are above zero. Source: equations (12.138) and (12.140).
     """
 
     k: float
@@ -27,6 +28,9 @@ class Well(Force):
     @property
     def wall(self) -> float:
         return self.b - self.d
+
+    def fits(self, scene: Scene) -> None:
+        refuse_below(scene.name, self, above={"k": 0.0, "b": 0.0, "d": 0.0})
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """On the bodies that a step begins with inside the edge.

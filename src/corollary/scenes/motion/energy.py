@@ -42,7 +42,9 @@ def energy(scene: Scene, time: float, state: State) -> float:
     if any(force.mass_rates for force in scene.forces):
         masses = masses_at(scene, time)
         scene = replace(
-            scene, bodies=tuple(replace(b, mass=m) for b, m in zip(scene.bodies, masses, strict=True))
+            scene,
+            bodies=tuple(replace(b, mass=m) for b, m in zip(scene.bodies, masses, strict=True)),
+            until=None,  # or what is left now would have to last as long again
         )
     return moving + sum(force.potential(scene, state) for force in scene.forces)
 

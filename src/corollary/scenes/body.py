@@ -1,0 +1,30 @@
+"""A body: a ball, a point or a wall."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """SI; `place` and `velocity` are tuples of one or two components. A body of infinite mass is a wall: it keeps its velocity.
+
+    In a plane a body with a radius can spin: `spin` in rad/s, counter-clockwise, `inertia` about its centre in kg m^2 (infinite: nothing
+    turns it), that of a solid sphere unless another is given. The scene that it is in refuses what no body can be (BadSetting).
+    """
+
+    mass: float
+    place: tuple[float, ...]
+    velocity: tuple[float, ...]
+    radius: float = 0.0
+    name: str = ""
+    spin: float = 0.0
+    inertia: float | None = None
+
+    @property
+    def resists_spin(self) -> float:
+        """The moment of inertia (kg m^2): infinite for a point and for a wall, which nothing turns."""
+        if self.inertia is not None:
+            return self.inertia
+        return 0.4 * self.mass * self.radius**2 if self.radius > 0.0 else math.inf

@@ -1,0 +1,139 @@
+"""What a scene refuses before anything of it is followed: bodies and forces that are none, or that do not fit together."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import fields, is_dataclass
+from functools import lru_cache
+from typing import Any, Protocol, cast
+
+from corollary.scenes.body import Body
+from corollary.scenes.run import BadSetting, GuardFailed
+from corollary.scenes.sound import HOUSE, finite, pairs, refuse_unsound, size_of, whole
+
+WRITTEN_WRONG = (AttributeError, LookupError, NameError, TypeError)
+"""What a Python function raises that was written wrong, wherever it is asked."""
+OWN_FAILS = (*WRITTEN_WRONG, ArithmeticError, ValueError)
+"""What a Python function of somebody's own may raise where it is wrong."""
+
+
+class Parts(Protocol):
+    """A scene, of which this module knows no more than its fields: scenes ask for it."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def axes(self) -> int: ...
+    @property
+    def bodies(self) -> tuple[Body, ...]: ...
+    @property
+    def forces(self) -> tuple[Any, ...]: ...
+    @property
+    def until(self) -> float | None: ...
+    @property
+    def passes(self) -> tuple[tuple[int, int], ...]: ...
+
+
+def refuse_parts(scene: Parts, force: type) -> None:
+    """Raises BadSetting for bodies that cannot be, for what is no `force`, and for a time that does not come."""
+    name = scene.name
+    for what, given, kind in (("bodies", scene.bodies, Body), ("forces", scene.forces, force)):
+        if type(given) is not tuple or not all(kind in type(each).__mro__ for each in given):
+            raise BadSetting(
+                f"{name}: {what} must be a tuple, everything in it a {kind.__name__}: (one,) with its comma, or (one, another)."
+            )
+    for body in scene.bodies:
+        refuse_unsound(name, body)
+        if not body.mass > 0.0 or body.radius < 0.0 or (body.inertia is not None and body.inertia <= 0.0):
+            raise BadSetting(
+                f"{name}: a body needs a mass above zero, a radius of zero or more and an inertia, if it is given, above zero; {body} has not."
+            )
+    for each in scene.forces:
+        _refuse_values(name, each)
+    if scene.passes and (wrong := pairs(scene.passes)):
+        raise BadSetting(f"{name}: passes = {scene.passes!r}: {wrong}.")
+    if scene.until is not None and not (finite(scene.until) and scene.until > 0.0):
+        raise BadSetting(f"{name}: until = {scene.until!r} s must be more than zero, and finite.")
+
+
+def refuse_misfits(scene: Parts, start: Sequence[float]) -> None:
+    """Raises BadSetting where forces do not fit the bodies; `start` is the state at the start."""
+    name, count = scene.name, len(scene.bodies)
+    for force in scene.forces:
+        if any(not whole(i) or not 0 <= i < count for i in force.bodies):
+            raise BadSetting(
+                f"{name}: {force} names a body that is not there; they are counted from 0, in whole numbers."
+            )
+        force.fits(scene)
+        if _is_own(force):
+            refuse_own(scene, force, start)
+    if any(not 0 <= i < count for pair in scene.passes for i in pair):
+        raise BadSetting(f"{name}: passes = {scene.passes} names a body that is not there.")
+    _refuse_burnt(scene)
+
+
+@lru_cache
+def _own(kind: type) -> bool:
+    return not kind.__module__.startswith(HOUSE)
+
+
+def _is_own(force: object) -> bool:
+    return _own(type(force))
+
+
+def _refuse_values(scene: str, force: object) -> None:
+    refuse_unsound(scene, force)
+    if _is_own(force) and is_dataclass(force):
+        for each in fields(force):
+            _refuse_nan(scene, force, each.name)
+    try:
+        hash(force)
+    except TypeError:
+        raise BadSetting(
+            f"{scene}: {type(force).__name__} cannot be hashed: write @dataclass(frozen=True), and tuples instead of lists in it."
+        ) from None
+
+
+def _refuse_nan(scene: str, force: object, name: str) -> None:
+    value: object = getattr(force, name)
+    numbers = cast("tuple[object, ...]", value) if isinstance(value, tuple) else (value,)
+    if any(isinstance(x, float) and math.isnan(x) for x in numbers):
+        raise BadSetting(f"{scene}: {type(force).__name__} with {name} = {value!r}: that is no number.")
+
+
+def refuse_own(scene: Parts, force: Any, start: Sequence[float]) -> None:
+    """Raises BadSetting where a force of somebody's own is none at the start."""
+    masses = [body.mass for body in scene.bodies]
+    whose = f"{scene.name}: {type(force).__name__}"
+    try:
+        for i, newtons in force.act_at(scene, 0.0, start, masses, start):
+            if not whole(i) or not 0 <= i < len(masses):
+                raise BadSetting(f"{whose} acts on body {i!r}, which is not there.")
+            if not math.isfinite(size_of(newtons, scene.axes, whose, 0.0)):
+                raise BadSetting(f"{whose} gives {newtons!r} at the start; it must be finite there.")
+        stored = force.potential(scene, start)
+    except BadSetting:
+        raise
+    except GuardFailed as error:
+        raise BadSetting(str(error)) from error.__cause__  # what the function itself raised, if it did
+    except OWN_FAILS as error:
+        raise BadSetting(
+            f"{whose} fails at the start ({type(error).__name__}: {error}); mend it, or start elsewhere."
+        ) from error
+    if not finite(stored):
+        raise BadSetting(f"{whose} has the potential {stored!r} at the start; it must be a finite number.")
+
+
+def _refuse_burnt(scene: Parts) -> None:
+    rates: dict[int, float] = {}
+    for force in scene.forces:
+        for i, rate in force.mass_rates:
+            rates[i] = rates.get(i, 0.0) + rate
+    for i, rate in rates.items():
+        mass = scene.bodies[i].mass
+        if scene.until is not None and mass + rate * scene.until <= 0.0:
+            raise BadSetting(
+                f"{scene.name}: body {i} burns {-rate:g} kg/s of its {mass:g} kg, so that nothing is left at until = {scene.until:g} s; "
+                "watch for a shorter time."
+            )

@@ -1,0 +1,168 @@
+"""What the fields of bodies and forces must be: finite numbers, tuples, bodies that are counted; each refused by its name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import fields, is_dataclass
+from functools import lru_cache
+from numbers import Integral, Real
+from typing import Any
+
+from corollary.scenes.run import BadSetting, GuardFailed
+
+HOUSE = __name__.rpartition(".")[0] + "."
+"""Modules of this package: what is defined elsewhere is somebody's own."""
+Rule = Callable[[Any], str]
+"""What is wrong with a value, in words that follow the name and the value; nothing where it is right."""
+
+
+def finite(number: object) -> bool:
+    """Whether it is a real number that a double holds."""
+    try:
+        return math.isfinite(number) and (type(number) is float or isinstance(number, Real))  # pyright: ignore[reportArgumentType]
+    except (OverflowError, TypeError, ValueError):
+        return False
+
+
+def whole(number: object) -> bool:
+    """Whether it is a whole number, as those are that bodies are counted with."""
+    return type(number) is int or isinstance(number, Integral)
+
+
+def _number(value: Any) -> str:
+    return "" if finite(value) else "it must be a finite number"
+
+
+def _weighs(value: Any) -> str:
+    """Mass or moment of inertia."""
+    if finite(value) or (isinstance(value, Real) and value == math.inf):
+        return ""
+    return "it must be a number, or math.inf for what nothing moves"
+
+
+def _body(value: Any) -> str:
+    return "" if whole(value) else "bodies are counted from 0, in whole numbers"
+
+
+def _row(value: Any) -> str:
+    if isinstance(value, tuple) and all(map(finite, value)):  # pyright: ignore[reportUnknownArgumentType]
+        return ""
+    return "it must be a tuple of finite numbers: (1.0, 2.0), or (1.0,) with its comma on a line"
+
+
+def _bodies(value: Any) -> str:
+    if isinstance(value, tuple) and all(map(whole, value)):  # pyright: ignore[reportUnknownArgumentType]
+        return ""
+    return "it must be a tuple of bodies, which are counted from 0, in whole numbers: (0,), with its comma"
+
+
+def _ends(value: Any) -> str:
+    if _bodies(value) or len(value) != 2 or value[0] == value[1]:
+        return "it must be a tuple of two different bodies, which are counted from 0, in whole numbers"
+    return ""
+
+
+def pairs(value: Any) -> str:
+    """What is wrong with pairs of bodies, if anything."""
+    if isinstance(value, tuple) and not any(map(_ends, value)):  # pyright: ignore[reportUnknownArgumentType]
+        return ""
+    return (
+        "it must be a tuple of pairs of different bodies, which are counted from 0: ((0, 1),), with its comma"
+    )
+
+
+def _called(value: Any) -> str:
+    return "" if callable(value) else "it must be a function"
+
+
+def _text(value: Any) -> str:
+    return "" if isinstance(value, str) else "it must be a text"
+
+
+RULES: dict[str, Rule] = {
+    "float": _number,
+    "int": _body,
+    "str": _text,
+    "tuple[float, ...]": _row,
+    "tuple[int, int]": _ends,
+    "tuple[int, ...]": _bodies,
+    "tuple[tuple[int, int], ...]": pairs,
+    "Field": _called,
+    "Potential": _called,
+    "Shift": _called,
+}
+"""By the type that a field is said to have."""
+
+
+def _rules(kind: type[Any]) -> tuple[tuple[str, bool, Rule], ...]:
+    """The fields of a class of this package, whether they may be left out, and what each must be."""
+    found: list[tuple[str, bool, Rule]] = []
+    for each in fields(kind):
+        annotation, _, left_out = str(each.type).partition(" | ")
+        rule = _weighs if each.name in ("mass", "inertia") else RULES.get(annotation)
+        if rule is not None:
+            found.append((each.name, left_out == "None", rule))
+    return tuple(found)
+
+
+@lru_cache
+def _known(kind: type) -> tuple[tuple[str, bool, Rule], ...]:
+    """The rules of the class of this package that it is, or comes from; none for what is somebody's own throughout."""
+    known = next((k for k in kind.__mro__ if k.__module__.startswith(HOUSE) and is_dataclass(k)), None)
+    return _rules(known) if known else ()
+
+
+def refuse_unsound(scene: str, thing: object) -> None:
+    """Raises BadSetting where a field of a body, or of a force of this package, is not what it must be."""
+    for name, left_out, rule in _known(type(thing)):
+        value = getattr(thing, name)
+        if (value is None and left_out) or not (wrong := rule(value)):
+            continue
+        raise BadSetting(f"{scene}: {type(thing).__name__} with {name} = {value!r}: {wrong}.")
+
+
+def refuse_below(
+    scene: str, thing: object, least: dict[str, float] | None = None, above: dict[str, float] | None = None
+) -> None:
+    """Raises BadSetting where a field is less than the `least` it may be, or not more than what it must be `above`."""
+    for name, limit in (least or {}).items():
+        if getattr(thing, name) < limit:
+            raise BadSetting(_beyond(scene, thing, name, f"at least {limit:g}"))
+    for name, limit in (above or {}).items():
+        if not getattr(thing, name) > limit:
+            raise BadSetting(_beyond(scene, thing, name, f"more than {limit:g}"))
+
+
+def _beyond(scene: str, thing: object, name: str, rule: str) -> str:
+    return f"{scene}: {type(thing).__name__} with {name} = {getattr(thing, name):g}: it must be {rule}."
+
+
+def refuse_components(scene: str, axes: int, thing: object, name: str) -> None:
+    """Raises BadSetting where a row of a force has another number of components than the places of the bodies."""
+    row = getattr(thing, name)
+    if len(row) != axes:
+        raise BadSetting(
+            f"{scene}: {type(thing).__name__} with {name} = {row} has {len(row)} components, but places and velocities have {axes}."
+        )
+
+
+def size_of(newtons: Any, axes: int, whose: str, time: float) -> float:
+    """The size of a force (N) given by its components. Raises GuardFailed where these are not so many real numbers."""
+    try:
+        size = math.hypot(*newtons) if len(newtons) == axes else None
+    except (TypeError, OverflowError):
+        size = None
+    if size is not None:
+        return size
+    raise GuardFailed(
+        f"{whose} gives {newtons!r} at {time:.6g} s; it must give a tuple of {axes} real number{'s' * (axes > 1)}."
+    )
+
+
+def refuse_tolerance(name: str, tolerance: float, least: float = 1e-15, most: float = 0.1) -> None:
+    """Raises BadSetting for a tolerance that no scene can hold."""
+    if not (finite(tolerance) and least <= tolerance <= most):
+        raise BadSetting(
+            f"{name}: a tolerance of {tolerance!r} cannot be held; ask for a tolerance between {least:g} and {most:g}."
+        )
