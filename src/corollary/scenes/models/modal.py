@@ -21,7 +21,7 @@ Flags = NDArray[np.bool_]
 NOISE = 1e-14
 # A body a millionth as heavy as its neighbours is thrown to and fro some 1600 times, each time opening and closing two contacts.
 MOST_PHASES = 8000
-MOST_BLOCKS = 10_000
+MOST_BLOCKS = 5_000
 # The energy that rounding may change: so much in all, or so much for each body at every opening.
 LEAST_ALLOWED, ALLOWED_EACH = 1e-11, 2e-14
 # A grid so fine that an overlap has one turning point at most between two of its points.

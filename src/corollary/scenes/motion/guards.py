@@ -100,7 +100,7 @@ class Guards:
                 continue
             for place, value in minima(gaps):
                 # What has just been let go opens with no speed: that is no touch.
-                if place > 1e-3 or abs(value) > 4.0 * abs(self.sizes.blur):
+                if place > 1e-3 or abs(value) > 4.0 * abs(self.sizes.blur + self.sizes.shift):
                     least = min(least, abs(value))
         return least
 
@@ -134,11 +134,19 @@ class Guards:
         return found
 
     def _pair(self, kind: Kind, number: int, a: int, b: int, sign: float, reach: float) -> None:
+        blur = self.sizes.blur + (0.0 if self._begins_at(a, b, reach) else self.sizes.shift)
+
         def value(time: float, y: State) -> float:
             square = sum(x * x for x in seen_from(self.system.scene, y, a, b)[0])
-            return sign * (reach * reach - square) / (2.0 * reach) + self.sizes.blur
+            return sign * (reach * reach - square) / (2.0 * reach) + blur
 
         self._add(Guard(kind, number, f"bodies {a} and {b}"), value)
+
+    def _begins_at(self, a: int, b: int, reach: float) -> bool:
+        """Whether two bodies start as near to a touch as touches are shifted: they are there, and cannot come later."""
+        shift, scene = abs(self.sizes.shift), self.system.scene
+        apart = math.dist(scene.bodies[a].place, scene.bodies[b].place) if shift else math.inf
+        return abs(apart - reach) <= 2.0 * shift
 
     def _slip(self, k: int, status: tuple[float, ...]) -> None:
         system, guard = self.system, Guard("stop", k, self.system.rubs[k].name)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy.integrate import DOP853, Radau
 
 from corollary.scenes.motion.isolation import DERIVATIVE, POINTS, coefficients
-from corollary.scenes.motion.system import Mode, Slope
+from corollary.scenes.motion.system import Mode
 
 Array = NDArray[np.float64]
 
@@ -32,7 +32,7 @@ class Stretch:
     mode: Mode
     since: list[float]
     dense: Callable[[float | Array], Array]
-    slope: Slope
+    slope: Callable[[float, Array], Array | list[float]]
     offset: float
     explicit: bool = True
 

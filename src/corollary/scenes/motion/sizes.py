@@ -16,7 +16,7 @@ class Sizes:
     """`long`, `deep` and `place` (m) are those of places, of overlaps, and that of which places may be off a part; `fast` is in m/s.
 
     Too small to see: gaps (m) of `gap` and speeds (m/s) of `speed`, bounces lower than `bounce` (m), slips in a plane slower than
-    `rest` (m/s). Within `blur` (m) rounding decides on which side of a touch a place is.
+    `rest` (m/s). Within `blur` (m) rounding decides on which side of a touch a place is. Touches happen `shift` (m) later.
     """
 
     long: float
@@ -28,6 +28,7 @@ class Sizes:
     bounce: float
     rest: float
     blur: float
+    shift: float
 
 
 def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
@@ -51,7 +52,8 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
         speed=1e-12 * fast,
         bounce=max(0.1 * tolerance * long, 64.0 * math.ulp(long)),
         rest=max(tolerance, 1e-7) * fast,
-        blur=16.0 * math.ulp(long) + shift,
+        blur=16.0 * math.ulp(long),
+        shift=shift,
     )
 
 
