@@ -132,11 +132,12 @@ def _module(path: Path) -> ModuleType:
 def _in_scenes(name: str) -> str:
     """The module that has a body, a scene or a force; "" where none has."""
     import corollary.scenes.forces as forces
-    from corollary.scenes import scene
+    from corollary.scenes import body, scene
 
     homes = [scene.__name__, *(f"{forces.__name__}.{each.name}" for each in iter_modules(forces.__path__))]
     for home in homes:
-        if getattr(getattr(importlib.import_module(home), name, None), "__module__", "") == home:
+        made_in = getattr(getattr(importlib.import_module(home), name, None), "__module__", "")
+        if made_in in (home, body.__name__):  # bodies are to be had from the module of scenes
             return home
     return ""
 
