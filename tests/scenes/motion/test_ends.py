@@ -142,3 +142,15 @@ def test_balls_that_touch_from_the_start_are_known_though_a_later_touch_is_in_do
     _, _, *both = components(found.observed["velocities"])
     assert both == pytest.approx([both[0], both[1], both[0], -both[1]], abs=1e-9)
     assert max(components(found.errors["velocities"])) < 1e-8
+
+
+def test_an_overlap_that_still_grows_at_the_end_is_that_of_the_end():
+    balls = (Body(0.1, (0.0,), (1.0,), 0.05), Body(0.3, (0.1,), (0.0,), 0.05))
+    found = play(
+        Scene(balls, (Contact(2e4, 1.5),), until=1e-3),
+        {Observable.LARGEST_OVERLAP, Observable.TRAJECTORY},
+        times=(1e-3,),
+    )
+    first, second = components(found.observed["trajectory"])
+    stated = components(found.errors["largest_overlap"])[0] + sum(components(found.errors["trajectory"]))
+    assert abs(components(found.observed["largest_overlap"])[0] - (0.1 - (second - first))) <= stated < 1e-12

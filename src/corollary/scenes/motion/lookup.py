@@ -36,7 +36,8 @@ def largest(path: Trajectory, value: Value, stretches: Sequence[Stretch]) -> flo
         method="bounded",
         options={"xatol": 1e-9},
     )
-    return value(stretch.again(float(found["x"])))  # pyright: ignore[reportIndexIssue]
+    inside = stretch.again(float(found["x"]))  # pyright: ignore[reportIndexIssue]
+    return max(value(stretch.before), value(inside), value(stretch.after))
 
 
 def turns(scene: Scene, path: Trajectory) -> list[Turn]:
