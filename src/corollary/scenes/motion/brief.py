@@ -33,7 +33,7 @@ def pushed(scene: Scene, start: State) -> float:
     return max((math.fsum(each) / GLANCES for each in zip(*felt, strict=True)), default=0.0)
 
 
-def overlooked(scene: Scene, stretch: Stretch, fast: float, tolerance: float) -> bool:
+def overlooked(scene: Scene, stretch: Stretch, fast: float, tolerance: float, may_be_bent: bool) -> bool:
     """Whether such a force does on a step what the step does not know of; speeds are about `fast` (m/s), `tolerance` is a step's.
 
     What it is at many moments is compared with the series through those at which events are looked for.
@@ -42,7 +42,7 @@ def overlooked(scene: Scene, stretch: Stretch, fast: float, tolerance: float) ->
     looks = math.ceil(LOOKS * stretch.lasts / (scene.until or math.inf)) if forces else 0
     if looks < 2:
         return False
-    if stretch.bent(scene.axes * len(scene.bodies)) > BENT * fast:
+    if may_be_bent and stretch.bent(scene.axes * len(scene.bodies)) > BENT * fast:
         return True
     parts = (np.arange(looks) + 0.5) / looks
     known, there = _felt(scene, forces, stretch, POINTS), _felt(scene, forces, stretch, parts)

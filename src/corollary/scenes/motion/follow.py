@@ -28,6 +28,8 @@ GRAZING = 100.0
 NO_SPEED = 30.0
 # So many happenings at one moment are no physics: forces that call each other out.
 MOST_AT_ONCE = 50
+# A kick bends the polynomials of a dozen steps, what is stiff those of all: after so many a bent one is no sign of a kick.
+MOST_AGAIN = 100
 
 
 class Follower:
@@ -45,7 +47,7 @@ class Follower:
                 f"{scene.name}: forces other than contacts never end; say until when to watch, until=…"
             )
         self.path = Trajectory(self.system.count, state=start_of(scene))
-        self.at_once = 0
+        self.at_once, self.again = 0, 0
         self.sizes = sizes_of(self.system, tolerance, shift)
         self.path.allowed = tolerance * self.sizes.place
         self.path.near = GRAZING * self.path.allowed
@@ -141,7 +143,8 @@ class Follower:
         while True:
             self.steps.advance(solver, begun)
             stretch = Stretch.made(solver, begun, before, mode, since)
-            if overlooked(self.scene, stretch, self.sizes.fast, self.tolerance):
+            if overlooked(self.scene, stretch, self.sizes.fast, self.tolerance, self.again < MOST_AGAIN):
+                self.again += 1
                 self.steps.at_most = 0.5 * stretch.lasts
                 return mode
             met = self.steps.first_event(guards, stretch)
