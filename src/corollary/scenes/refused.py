@@ -66,7 +66,7 @@ def refuse_misfits(scene: Parts, start: Sequence[float]) -> None:
                 f"{name}: {force} names a body that is not there; they are counted from 0, in whole numbers."
             )
         force.fits(scene)
-        if _is_own(force):
+        if is_own(force):
             refuse_own(scene, force, start)
     if any(not 0 <= i < count for pair in scene.passes for i in pair):
         raise BadSetting(f"{name}: passes = {scene.passes} names a body that is not there.")
@@ -78,13 +78,14 @@ def _own(kind: type) -> bool:
     return not kind.__module__.startswith(HOUSE)
 
 
-def _is_own(force: object) -> bool:
+def is_own(force: object) -> bool:
+    """Whether it is of a class that somebody else wrote."""
     return _own(type(force))
 
 
 def _refuse_values(scene: str, force: object) -> None:
     refuse_unsound(scene, force)
-    if _is_own(force) and is_dataclass(force):
+    if is_own(force) and is_dataclass(force):
         for each in fields(force):
             _refuse_nan(scene, force, each.name)
     try:

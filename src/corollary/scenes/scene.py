@@ -13,7 +13,7 @@ from enum import Flag
 
 from corollary.scenes.body import Body
 from corollary.scenes.constraint import Constraint, Rub, State
-from corollary.scenes.refused import refuse_misfits, refuse_parts
+from corollary.scenes.refused import is_own, refuse_misfits, refuse_parts
 from corollary.scenes.run import BadSetting
 
 
@@ -97,7 +97,7 @@ class Force(ABC):
 
         The laws of this package do not; anybody else's may.
         """
-        return not type(self).__module__.startswith(__name__.rpartition(".")[0])
+        return is_own(self)
 
     @property
     def conserves(self) -> Conserves:
