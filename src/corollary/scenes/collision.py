@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
+from operator import sub
 
 from corollary.scenes.integrate import both_ways, regularised
 from corollary.scenes.progress import tell
@@ -31,13 +33,17 @@ MOST_FOR_NORMAL_MODES = 20
 
 @dataclass(frozen=True, slots=True)
 class Collided:
-    """A result with the error of each thing seen in it (in natural units), and the model that found it."""
+    """A result with the error of each thing seen in it (in natural units), and the model that found it.
+
+    `warnings` are sentences about touches that are not decided.
+    """
 
     result: RowResult
     errors: dict[str, float]
     model: Model
     why: str
     spent: int
+    warnings: tuple[str, ...] = ()
 
 
 @lru_cache(maxsize=1024)
@@ -80,6 +86,7 @@ def _by_normal_modes(line: RowOfBodies) -> Collided:
         "piecewise exact",
         "springs: from one opening to the next the motion is a sum of swings",
         0,
+        _doubts(line, (result,), errors["velocities"] * max(map(abs, line.velocities))),
     )
 
 
@@ -106,18 +113,44 @@ def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
         raise GuardFailed(
             f"One run ends {coarse.outcome!r}, a finer one {fine.outcome!r}. Move the settings off that edge."
         )
+    ends = not math.isinf(fine.duration)
+    apart = abs(coarse.duration - fine.duration) / max(1.0, fine.duration) if ends else 0.0
     error = {
         "velocities": _apart(coarse.velocities, fine.velocities),
-        "duration": 0.0
-        if math.isinf(fine.duration)
-        else abs(coarse.duration - fine.duration) / max(1.0, fine.duration),
+        "duration": apart,
         "overlaps": _apart(coarse.overlaps, fine.overlaps),
         "forces": _apart(coarse.forces, fine.forces),
     }
-    together = SHARED * max(error.values())
+    if ends:
+        # The moment of a slow touch hangs that much on speeds.
+        strained = SHARED * fine.strain * error["velocities"] / max(1.0, fine.duration)
+        error["duration"] = max(error["duration"], strained)
+    together = SHARED * max(error["velocities"], error["overlaps"], error["forces"], apart)
     errors = {name: max(SAFE * max(e, together), ROUNDING) for name, e in error.items()}
     spent = coarse.evaluations + fine.evaluations
-    return Collided(in_si(fine, units), errors, "integration", _reason(line), spent)
+    doubts = _doubts(line, (coarse, fine), errors["velocities"])
+    return Collided(in_si(fine, units), errors, "integration", _reason(line), spent, doubts)
+
+
+def _doubts(line: RowOfBodies, runs: tuple[RowResult, ...], error: float) -> tuple[str, ...]:
+    """What is not decided of touches; the last of the runs, and the `error` of its velocities, are in the same units."""
+    counts, found = [run.openings for run in runs], runs[-1]
+    if math.isinf(found.duration) or line.weight or not counts[-1]:
+        return ()
+    doubts: list[str] = []
+    if len(set(counts)) > 1:
+        doubts.append(
+            f"Two runs count {' and '.join(map(str, counts))} touches: the duration is not decided; ask for a smaller tolerance."
+        )
+    slow = [
+        f"{i} and {i + 1}" for i, (a, b) in enumerate(pairwise(found.velocities), 1) if abs(b - a) <= error
+    ]
+    if slow:
+        which = ", ".join(slow[:3]) + (" and others" if slow[3:] else "")
+        doubts.append(
+            f"Bodies {which} are left with no relative velocity that is known: a later touch, as slow, would not be in the duration."
+        )
+    return tuple(doubts)
 
 
 def _reason(line: RowOfBodies) -> str:
@@ -129,4 +162,4 @@ def _reason(line: RowOfBodies) -> str:
 
 
 def _apart(a: tuple[float, ...], b: tuple[float, ...]) -> float:
-    return max(abs(x - y) for x, y in zip(a, b, strict=True))
+    return max(map(abs, map(sub, a, b)))

@@ -18,7 +18,7 @@ Settings = Mapping[str, Observed]
 class Setting:
     """One number (or, with `many`, a row of them), in SI, with the value it takes when nothing is said.
 
-    `above` and `below` are open ends, `least` and `most` closed ones.
+    `above` and `below` are open ends, `least` and `most` closed ones; `below_that` and `most_that` are other settings it is held against.
     """
 
     name: str
@@ -31,6 +31,8 @@ class Setting:
     most: float = math.inf
     whole: bool = False
     many: bool = False
+    below_that: str = ""
+    most_that: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,9 +55,25 @@ def settle(scene: str, known: Iterable[Setting], given: Mapping[str, object]) ->
         if name not in settings:
             hint = did_you_mean(name, settings)
             raise BadSetting(f"{scene}: {name!r} is not among its settings ({', '.join(settings)}){hint}.")
-    return {
+    settled = {
         name: _checked(scene, s, given[name]) if name in given else s.value for name, s in settings.items()
     }
+    for setting in settings.values():
+        _refuse_misfit(scene, setting, settled)
+    return settled
+
+
+def _refuse_misfit(scene: str, setting: Setting, settled: Settings) -> None:
+    """Raises BadSetting for a number that does not go with that of another setting."""
+    for other, rule in ((setting.below_that, "less than"), (setting.most_that, "at most")):
+        if not other:
+            continue
+        value, limit = one(settled, setting.name), one(settled, other)
+        if value > limit or (value == limit and other == setting.below_that):
+            unit = "" if setting.unit == "1" else f" {setting.unit}"
+            raise BadSetting(
+                f"{scene}: {setting.name} = {value:g}{unit}, but the {setting.meaning} must be {rule} {other} = {limit:g}{unit}."
+            )
 
 
 def _checked(scene: str, setting: Setting, value: Any) -> Observed:

@@ -6,14 +6,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from corollary.scenes import collision
 from corollary.scenes.catalogue import SCENES
-from corollary.scenes.collision import ROUNDING, SAFE
 from corollary.scenes.definition import Setting, settle
 from corollary.scenes.forces.contact import Contact, smoothing_power
 from corollary.scenes.integrate import both_ways, contact_motion, row_motion
@@ -26,7 +26,7 @@ from corollary.scenes.sound import refuse_tolerance
 Array = NDArray[np.float64]
 OUTCOMES = np.array(["released", "missed", "sticks", "refused"])
 RELEASED, MISSED, STICKS, REFUSED = range(4)
-SHARED = {"N", "q", "balls_in"}
+ONE_FOR_ALL = {"N", "q", "balls_in"}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,12 +34,15 @@ class Ensemble:
     """What became of n variants: `observed[name]` and `errors[name]` (absolute, SI, estimates) have a line for each.
 
     `outcomes` (n,) is `released`, `missed`, `sticks` or `refused`; a variant that is refused has nan everywhere, and the duration of
-    one that sticks is infinite. `evaluations` counts the forces evaluated for all of them, those for the errors included.
+    one that sticks is infinite. Where a ball of a row is left with no velocity relative to its neighbour that is known, or two runs count
+    touches differently, the variant is `undecided` (n,): its duration is without a later, slow touch. `evaluations` counts the forces
+    evaluated for all of them, those for the errors included.
     """
 
     observed: dict[str, Array]
     errors: dict[str, Array]
     outcomes: NDArray[np.str_]
+    undecided: NDArray[np.bool_]
     evaluations: int
 
 
@@ -52,14 +55,15 @@ def ensemble(name: str, given: Mapping[str, Any], tolerance: float = 1e-9) -> En
     if name not in PLAYED:
         raise BadSetting(f"An ensemble is of {' or '.join(PLAYED)}, not of {name!r}; play others one by one.")
     refuse_tolerance(name, tolerance, 1e-13, 0.01)
-    return PLAYED[name](*_settings(name, given), tolerance)
+    with np.errstate(all="ignore"):  # what is no number is refused, variant by variant
+        return PLAYED[name](*_settings(name, given), tolerance)
 
 
 def _settings(name: str, given: Mapping[str, Any]) -> tuple[dict[str, Array], int]:
     """Every setting as an array with a line for each variant, and their number. Raises BadSetting."""
     known = {setting.name: setting for setting in SCENES[name].settings}
     arrays = {key: np.asarray(value, dtype=float) for key, value in given.items() if key in known}
-    several = {key for key, a in arrays.items() if a.ndim > known[key].many and key not in SHARED}
+    several = {key for key, a in arrays.items() if a.ndim > known[key].many and key not in ONE_FOR_ALL}
     counts = {len(arrays[key]) for key in several}
     if len(counts) > 1:
         raise BadSetting(f"{name}: {', '.join(sorted(several))} have different numbers of variants.")
@@ -105,10 +109,8 @@ def _called(kernel: str, arrays: list[Array], *rest: Any, room: Array) -> int:
 
 
 def _cradle(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
-    count, coming, q = (round(float(settings[key][0])) for key in ("N", "balls_in", "N"))
-    q = float(settings["q"][0])
-    if coming >= count:
-        raise BadSetting(f"cradle: balls_in = {coming}, but of {count} balls at least one must be hit.")
+    count, coming, q = (float(settings[key][0]) for key in ("N", "balls_in", "q"))
+    count, coming = round(count), round(coming)
     masses = settings["masses"] if settings["masses"].size else settings["m"][:, None] * np.ones(count)
     gaps = settings["gaps"]
     gaps = gaps[:, None] * np.ones(count - 1) if gaps.ndim == 1 else gaps
@@ -126,14 +128,24 @@ def _cradle(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
     spent = 0
     for allowed in (tolerance, tolerance / 30.0):
         y, deepest, hardest = start.copy(), np.zeros((n, count - 1)), np.zeros((n, count - 1))
-        lasted, ends = np.zeros(n), np.zeros(n)
+        lasted, strains, ends, openings = np.zeros((4, n))
         arrays = [y, np.zeros(count - 1, dtype=bool), inverse, np.zeros(count), stiff]
-        arrays += [np.full(count - 1, q), np.zeros(count - 1), power, deepest, hardest, lasted, ends]
+        arrays += [
+            np.full(count - 1, q),
+            np.zeros(count - 1),
+            power,
+            deepest,
+            hardest,
+            lasted,
+            strains,
+            openings,
+            ends,
+        ]
         spent += _called(
             "rows", arrays, allowed, MOST_COMPILED, room=np.zeros((row_motion.ROOM, 2 * count - 1))
         )
-        runs.append((ends, y[:, ::2], lasted, deepest.max(axis=1), hardest.max(axis=1)))
-    (ended, *coarse), (ends, *fine) = runs
+        runs.append((ends, openings, strains, y[:, ::2], lasted, deepest.max(axis=1), hardest.max(axis=1)))
+    (ended, touched, _, *coarse), (ends, openings, strains, *fine) = runs
     weights = 1.0 / inverse
     had, has = (weights * start[:, ::2] ** 2).sum(axis=1), (weights * fine[0] ** 2).sum(axis=1)
     shift = np.abs((weights * (fine[0] - start[:, ::2])).sum(axis=1)) / (weights * np.abs(fine[0])).sum(
@@ -147,25 +159,51 @@ def _cradle(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
         "largest_overlap": length,
         "peak_force": mass * speed**2 / length,
     }
-    return _gathered(units, coarse, fine, np.where(refused, REFUSED, ends), SAFE, ROUNDING, spent)
+    sure = collision.SAFE, collision.SHARED, collision.ROUNDING
+    found = _gathered(units, coarse, fine, np.where(refused, REFUSED, ends), sure, spent, strains)
+    slow = np.abs(np.diff(found.observed["velocities"], axis=1)) <= found.errors["velocities"][:, 1:]
+    undecided = (openings > 0) & (slow.any(axis=1) | (openings != touched))
+    return replace(found, undecided=undecided)
 
 
 def _gathered(
-    units: dict[str, Array], coarse: Any, fine: Any, ends: Array, safe: float, least: Any, spent: int
+    units: dict[str, Array],
+    coarse: Any,
+    fine: Any,
+    ends: Array,
+    sure: tuple[float, float, Any],
+    spent: int,
+    strains: Array | float = 0.0,
 ) -> Ensemble:
+    """Values and errors (SI) of two runs in their natural `units`.
+
+    As where one is played alone (`collision`), a difference counts some times (`sure`), at least a share of the largest that there is of
+    any value, and never less than rounding; a duration is strained by slow touches.
+    """
+    safe, shared, least = sure
+    found = [np.reshape(value, (len(ends), -1)) for value in fine]
+    sizes = [np.maximum(np.abs(value).max(axis=1), 1.0) for value in found]
+    apart = [
+        np.abs(value - np.reshape(rough, value.shape)).max(axis=1) / size
+        for rough, value, size in zip(coarse, found, sizes, strict=True)
+    ]
+    # What leaves the range of a computer is refused; the duration of what sticks is not looked at.
+    good = [
+        np.isfinite(value).all(axis=1) & np.isfinite(unit)
+        for value, unit in zip(found, units.values(), strict=True)
+    ]
+    ends = np.where(np.all(good, axis=0), ends, REFUSED)
+    together, lost = shared * np.max(apart, axis=0), ends == REFUSED
+    apart[1] = np.maximum(apart[1], shared * strains * apart[0] * sizes[0] / sizes[1])
     observed: dict[str, Array] = {}
     errors: dict[str, Array] = {}
-    for (name, unit), rough, value in zip(units.items(), coarse, fine, strict=True):
-        wide = unit[:, None] if value.ndim > 1 else unit
-        size = np.maximum(np.abs(value).max(axis=1) if value.ndim > 1 else np.abs(value), 1.0)
-        apart = np.abs(value - rough).max(axis=1) if value.ndim > 1 else np.abs(value - rough)
-        error = np.maximum(safe * apart, least * size) * unit
-        error = np.broadcast_to(error[:, None], value.shape) if value.ndim > 1 else error
-        lost = (ends == REFUSED)[:, None] if value.ndim > 1 else ends == REFUSED
-        observed[name], errors[name] = (np.where(lost, math.nan, a) for a in (value * wide, error))
-    if "duration" in observed:
-        observed["duration"] = np.where(ends == STICKS, math.inf, observed["duration"])
-    return Ensemble(observed, errors, OUTCOMES[ends.astype(int)], spent)
+    for (name, unit), value, size, own in zip(units.items(), fine, sizes, apart, strict=True):
+        error = np.maximum(safe * np.maximum(own, together), least) * size * unit
+        wide = (np.newaxis,) * (value.ndim - 1)
+        observed[name] = np.where(lost[:, *wide], math.nan, value * unit[:, *wide])
+        errors[name] = np.broadcast_to(np.where(lost, math.nan, error)[:, *wide], value.shape)
+    observed["duration"] = np.where(ends == STICKS, math.inf, observed["duration"])
+    return Ensemble(observed, errors, OUTCOMES[ends.astype(int)], np.zeros(len(ends), dtype=bool), spent)
 
 
 def _spheres(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
@@ -175,6 +213,8 @@ def _spheres(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
     x, y, (u, v) = settings["dx"], settings["dy"], vb - va
     mass, speed = ma / (ma + mb) * mb, np.hypot(u, v)
     spin, radial = x * v - y * u, x * u + y * v
+    fast = np.maximum(speed, np.abs(np.concatenate([va, vb])).max(axis=0))
+    fast = np.where(fast > 0.0, fast, 1.0)
     # Where the pair passes at nearly the reach, what rounding does to the difference is part of the error.
     clear = reach * speed - np.abs(spin)
     inside, meets = np.hypot(x, y) < reach, (radial < 0.0) & (clear > 0.0)
@@ -184,9 +224,8 @@ def _spheres(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
     inward = np.where(meets, root / reach, 1.0)
     angle = np.arctan2(-root * v - spin * u, -root * u + spin * v)
     depth = ((q + 1.0) * mass * inward**2 / (2.0 * k)) ** (1.0 / (q + 1.0))
-    with np.errstate(divide="ignore"):
-        depth = np.minimum(depth, inward**2 * reach**3 / (2.0 * spin**2))
-        depth = np.minimum(np.minimum(depth, mass * inward / eta), reach)
+    depth = np.minimum(depth, inward**2 * reach**3 / (2.0 * spin**2))
+    depth = np.minimum(np.minimum(depth, mass * inward / eta), reach)
     across = np.where(meets, spin / (reach * inward), 0.0)
     groups = np.stack(
         [
@@ -204,8 +243,8 @@ def _spheres(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
         state = np.tile([0.0, 1.0, 1.0, 0.0, 0.0], (n, 1))
         overlaps, forces, ends = np.zeros(n), np.zeros(n), np.zeros(n)
         room = np.zeros((contact_motion.ROOM, contact_motion.SIZE))
-        call, fast = _kernel("contacts")
-        if fast:
+        call, compiled = _kernel("contacts")
+        if compiled:
             spent += call(state, groups, smoothing, overlaps, forces, ends, allowed, MOST_STEPS, room)
         else:
             lists = [a.tolist() for a in (state, overlaps, forces, ends)]
@@ -221,22 +260,21 @@ def _spheres(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
         share = mb / (ma + mb)
         then = np.concatenate([va - share * change, vb + (1.0 - share) * change])
         lasted = np.where(stuck, 0.0, state[:, contact_motion.TIME])
-        seen = then.T, lasted, overlaps * meets, forces * meets, (mass * change).T
+        seen = (then / fast).T, lasted, overlaps * meets, forces * meets, (change / fast).T
         runs.append((ends, *seen))
     (ended, *coarse), (ends, *fine) = runs
     found = np.where(ends == contact_motion.STICKS, STICKS, RELEASED)
     refused = inside | (meets & ((ended != ends) | (ends > contact_motion.STICKS)))
     found = np.where(refused, REFUSED, np.where(meets, found, MISSED))
-    fast_ones = np.maximum(np.abs(va).max(axis=0), np.abs(vb).max(axis=0))
     units = {
-        "velocities": np.ones(n),
+        "velocities": fast,
         "duration": depth / inward,
         "largest_overlap": depth,
         "peak_force": mass * inward**2 / depth,
-        "impulse": np.ones(n),
+        "impulse": mass * fast,
     }
-    least = np.where(meets, spheres.SAFE * 5e-15 + doubt, 0.0) * np.maximum(1.0, fast_ones)
-    return _gathered(units, coarse, fine, found, spheres.SAFE, least, spent)
+    least = np.where(meets, spheres.SAFE * max(5e-15, spheres.LUCK * tolerance) + doubt, 0.0)
+    return _gathered(units, coarse, fine, found, (spheres.SAFE, 1.0, least), spent)
 
 
 PLAYED = {"cradle": _cradle, "spheres": _spheres}

@@ -118,5 +118,5 @@ def _collided(line: RowOfBodies, found: Collided, observe: Collection[Observable
     observed = {o.value: known[o][0] for o in observe}
     errors = {o.value: found.errors.get(known[o][1], 0.0) for o in observe}
     return by_relative_errors(
-        observed, errors, found.model, found.why, found.spent, result.outcome, _scales(line)
+        observed, errors, found.model, found.why, found.spent, result.outcome, _scales(line), found.warnings
     )

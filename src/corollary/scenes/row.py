@@ -106,25 +106,25 @@ def in_units(line: RowOfBodies, units: Units) -> RowOfBodies:
     """The same line in its natural units. Raises OverflowError when one of these leaves the range of a computer."""
     if not all(map(math.isfinite, (units.mass, units.speed, units.overlap, units.time, units.force))):
         raise OverflowError("a number of the collision is too large or too small")
+    speed, overlap, force = units.speed, units.overlap, units.force
+    scaled = {c: Contact(c.k * overlap**c.q / force, c.q, c.eta * speed / force) for c in set(line.contacts)}
     return RowOfBodies(
-        masses=tuple(m / units.mass for m in line.masses),
-        velocities=tuple(v / units.speed for v in line.velocities),
-        gaps=tuple(gap / units.overlap for gap in line.gaps),
-        contacts=tuple(
-            Contact(c.k * units.overlap**c.q / units.force, c.q, c.eta * units.speed / units.force)
-            for c in line.contacts
-        ),
+        masses=tuple([m / units.mass for m in line.masses]),
+        velocities=tuple([v / speed for v in line.velocities]),
+        gaps=tuple([gap / overlap for gap in line.gaps]),
+        contacts=tuple([scaled[c] for c in line.contacts]),
         weight=line.weight * units.time / units.speed,
     )
 
 
 def in_si(result: RowResult, units: Units) -> RowResult:
     """What was found in natural units, back in those of the line."""
+    speed, overlap, force = units.speed, units.overlap, units.force
     return RowResult(
-        velocities=tuple(v * units.speed for v in result.velocities),
+        velocities=tuple([v * speed for v in result.velocities]),
         duration=result.duration * units.time,
-        overlaps=tuple(d * units.overlap for d in result.overlaps),
-        forces=tuple(f * units.force for f in result.forces),
+        overlaps=tuple([d * overlap for d in result.overlaps]),
+        forces=tuple([f * force for f in result.forces]),
         outcome=result.outcome,
         evaluations=result.evaluations,
         openings=result.openings,

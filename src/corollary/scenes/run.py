@@ -165,6 +165,7 @@ def by_relative_errors(
     evaluations: int,
     outcome: Outcome,
     scales: Mapping[str, float] | None = None,
+    warnings: tuple[str, ...] = (),
 ) -> Run:
     """A run of one model whose errors are estimated relative to the largest component of a value, or to its scale (SI) if that is larger."""
     scales, measured = scales or {}, dict[str, Measurement]()
@@ -174,4 +175,4 @@ def by_relative_errors(
         error = errors[name] * size
         off: Observed = (error,) * len(value) if several else error
         measured[name] = Measurement(value, off, "estimate", model, why, size)
-    return Run(measured, evaluations, outcome)
+    return Run(measured, evaluations, outcome, warnings)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, Event, Force, Pushes, Scene, State, bounced, place, velocity
 from corollary.scenes.sound import refuse_below
 
@@ -31,6 +32,11 @@ class Well(Force):
 
     def fits(self, scene: Scene) -> None:
         refuse_below(scene.name, self, above={"k": 0.0, "b": 0.0, "d": 0.0})
+        for i, body in enumerate(scene.bodies):
+            if not math.isinf(body.mass) and math.hypot(*body.place) < self.wall:
+                raise BadSetting(
+                    f"{scene.name}: body {i} starts inside the core of the Well; b - d = {self.wall:g} m from the origin, or farther, is right."
+                )
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """On the bodies that a step begins with inside the edge.

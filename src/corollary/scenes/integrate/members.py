@@ -10,19 +10,36 @@ follow_row, follow_contact = module("row_motion").follow, module("contact_motion
 
 @kernel
 def rows(
-    y, touching, inverse, falls, k, q, eta, powers, deepest, hardest, lasted, ends, tolerance, most, room
+    y,
+    touching,
+    inverse,
+    falls,
+    k,
+    q,
+    eta,
+    powers,
+    deepest,
+    hardest,
+    lasted,
+    strains,
+    openings,
+    ends,
+    tolerance,
+    most,
+    room,
 ):
     """Each row as `row_motion.follow` does it; `y`, `inverse`, `k`, `deepest`, `hardest` have a line for each, the others serve all.
 
-    `lasted` becomes how long each touched, `ends` how it ended. Gives the evaluations of all.
+    `lasted` becomes how long each touched, `strains` how much that hangs on slow touches, `openings` how often it did, `ends` how it ended.
+    Gives the evaluations of all.
     """
     spent = 0
     for i in range(len(y)):
         row = (inverse[i], falls, k[i], q, eta, powers)
-        end, began, ended, _, cost = follow_row(
+        ends[i], began, ended, openings[i], cost, strains[i] = follow_row(
             y[i], touching, row, deepest[i], hardest[i], tolerance, most, room
         )
-        ends[i], lasted[i], spent = end, max(ended - began, 0.0), spent + cost
+        lasted[i], spent = max(ended - began, 0.0), spent + cost
     return spent
 
 

@@ -45,7 +45,7 @@ def collide(line: RowOfBodies, tolerance: float = 1e-13, *, compiled: bool = Fal
     return in_si(follow(laid_out(in_units(line, units), compiled), tolerance), units)
 
 
-Seen = tuple[int, float, float, int, int]
+Seen = tuple[int, float, float, int, int, float]
 """What `row_motion.follow` gives."""
 
 
@@ -85,7 +85,7 @@ def follow(laid: LaidOut, tolerance: float) -> RowResult:
     state, seen, before, after = _steps(laid, tolerance, first)
     if seen[0] == row_motion.TOO_LONG and first < most and _ends(line):
         state, seen, before, after = _steps(laid, tolerance, most)
-    end, began, ended, openings, evaluations = seen
+    end, began, ended, openings, evaluations, strain = seen
     if end == row_motion.TOO_LONG:
         raise GuardFailed(
             f"The collision does not end within {most} steps. Make the masses less unequal or the balls fewer."
@@ -104,6 +104,7 @@ def follow(laid: LaidOut, tolerance: float) -> RowResult:
         outcome=OUTCOMES[end],
         evaluations=evaluations,
         openings=openings,
+        strain=strain,
     )
 
 

@@ -72,16 +72,16 @@ def try_step(variable, power, stride, time, y, touching, row, first, last, room)
 
 @kernel
 def note_touches(time, y, touching, landed, first, last):
-    """Say which contacts have opened or closed in the step just taken; gives how many opened."""
-    openings = 0
+    """Say which contacts have opened or closed in the step just taken; gives how many opened, and how fast the slowest of them parts."""
+    openings, parting = 0, math.inf
     for j in range(first, last):
         overlap = y[2 * j + 1]
         if touching[j] and (overlap < 0.0 or j == landed):
             touching[j] = False
-            openings += 1
+            openings, parting = openings + 1, min(parting, y[2 * j + 2] - y[2 * j])
         elif not touching[j] and (overlap > 0.0 or j == landed):
             touching[j] = True
-    return openings
+    return openings, parting
 
 
 @kernel
@@ -128,7 +128,7 @@ def follow(y, touching, row, deepest, hardest, tolerance, most, room):
     """Moves the state y (at time zero) to the end of the collision, in at most so many steps; sooner given up if these cannot be enough.
 
     `deepest` and `hardest` become the largest overlap and force of each contact. `room` is ROOM rows as long as y. Gives how it ended
-    and when it began to touch, when it last opened, the openings and the evaluations.
+    and when it began to touch, when it last opened, the openings, the evaluations, and the strain (`RowResult`).
     """
     _, falls, k, q, eta, powers = row
     count, noise = len(k), max(1e-14, 3.0 * tolerance)
@@ -141,6 +141,7 @@ def follow(y, touching, row, deepest, hardest, tolerance, most, room):
         hardest[j] = push(k[j], q[j], deepest[j]) if deepest[j] > 0.0 else 0.0
     partly = count + 1 >= LONG and not damped and not heavy
     time, began, ended, openings, spent = 0.0, math.inf, 0.0, 0, 0
+    strain, opens = 0.0, 0.0
     begins = FIRST_STRIDE * tolerance**0.125
     variable, power, stride, lasted, landing = TIME, 1, 0.0, begins, False
     first, last, margin = 0, count, MARGIN
@@ -150,19 +151,22 @@ def follow(y, touching, row, deepest, hardest, tolerance, most, room):
             seen = time
         elif done == look:
             if lasts_at_least(y, row) * done > (most - done) * (time - seen):
-                return TOO_LONG, began, ended, openings, spent
+                return TOO_LONG, began, ended, openings, spent, strain
             look, seen = 2 * look, time
         settle(y, touching, first, last)
         # Before the inactive: a contact that its damping holds for ever soon has too little in it to be seen.
         if damped and stays(y, touching, row, tolerance):
             at_rest(y, touching, row, deepest, hardest)
-            return STICKS, began, math.inf, openings, spent
+            return STICKS, began, math.inf, openings, spent, strain
         if inactive(y, touching, row, first, last, noise):
             faint, at = release_faint(time, y, touching, noise)
             openings, ended = openings + faint, max(ended, at)
             meeting, wait = first_touch(y, falls, noise, began < math.inf)
             if meeting == TIME:
-                return (RELEASED if began < math.inf else MISSED), began, ended, openings, spent
+                outcome = RELEASED if began < math.inf else MISSED
+                return outcome, began, ended, openings, spent, max(strain, opens)
+            if began < math.inf:
+                strain = max(strain, (1.0 + wait) / max(y[2 * meeting] - y[2 * meeting + 2], noise))
             fly(y, touching, falls, meeting, wait)
             time += wait
             variable, landing, lasted = TIME, False, begins
@@ -193,7 +197,7 @@ def follow(y, touching, row, deepest, hardest, tolerance, most, room):
         x, h, size, lands, then = 0.0, 0.0, math.inf, False, 0.0
         for trial in range(MOST_TRIALS + 1):
             if trial == MOST_TRIALS:
-                return NO_STEP, began, ended, openings, spent
+                return NO_STEP, began, ended, openings, spent, strain
             x, h, lands, then, size = try_step(
                 variable, power, stride, time, y, touching, row, first, last, room
             )
@@ -243,13 +247,13 @@ def follow(y, touching, row, deepest, hardest, tolerance, most, room):
                 if j < first or j >= last:
                     y[2 * j + 1] += (y[2 * j] - y[2 * j + 2]) * (then - time)
         time = then
-        opened = note_touches(time, y, touching, variable if lands else TIME - 1, first, last)
+        opened, parting = note_touches(time, y, touching, variable if lands else TIME - 1, first, last)
         if opened > 0:
-            openings, ended = openings + opened, time
+            openings, ended, opens = openings + opened, time, 1.0 / max(parting, noise)
         landing, stride = landing and not lands, h * growth
         if lands:
             variable, power, stride = TIME, 1, 0.0
-    return TOO_LONG, began, ended, openings, spent
+    return TOO_LONG, began, ended, openings, spent, strain
 
 
 @kernel

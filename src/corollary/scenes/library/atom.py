@@ -15,7 +15,7 @@ SETTINGS = (
     Setting("m", "mass of the atom", "kg", 2.0, above=0.0),
     Setting("k", "force constant", "N/m", 100.0, above=0.0),
     Setting("b", "distance of the bottom of the well", "m", 1.0, above=0.0),
-    Setting("d", "half width of the well", "m", 0.4, above=0.0),
+    Setting("d", "half width of the well", "m", 0.4, above=0.0, below_that="b"),
     Setting("r0", "position at the start: a distance, or (x, y)", "m", 1.0, many=True),
     Setting(
         "v0",
@@ -36,8 +36,6 @@ def play(settings: Settings, tolerance: float) -> Run:
     On a line `turning_points` are places and `velocities` has one component.
     """
     m, well = one(settings, "m"), Well(*numbers(settings, "k", "b", "d"))
-    if well.d >= well.b:
-        raise BadSetting(f"atom: d = {well.d:g} m must be less than b = {well.b:g} m: the core has a size.")
     plane = one(settings, "dimension") == 2.0
     place, velocity = _start(settings, plane)
     if math.hypot(*place) < well.wall:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from corollary.formula.ball import Ball
 from corollary.scenes.definition import Setting
 from corollary.scenes.models.certain import Evaluated, by_formulas
-from corollary.scenes.run import BadSetting
 
 SETTINGS = (
     Setting("N", "number of links", "1", 1000.0, least=1.0, most=1e6, whole=True),
@@ -13,7 +12,7 @@ SETTINGS = (
     Setting("L", "length of the chain", "m", 1.5, above=0.0),
     Setting("v0", "speed of lifting", "m/s", 2.0, above=0.0),
     Setting("g", "acceleration of gravity", "m/s^2", 9.8, least=0.0),
-    Setting("y", "length lifted where the force is looked at", "m", 0.6, least=0.0),
+    Setting("y", "length lifted where the force is looked at", "m", 0.6, least=0.0, most_that="L"),
 )
 
 
@@ -23,8 +22,6 @@ def _evaluated(_: Ball, m: Ball, length: Ball, v0: Ball, g: Ball, y: Ball) -> Ev
     Every link jerks the hand with (m/N) v0, as momentum demands; between jerks the hand carries what hangs. Link i leaves the
     heap when the length (i + 1/2) L/N is lifted, so that on the mean half of the chain hangs.
     """
-    if y > length:
-        raise BadSetting(f"chain: y = {float(y):g} m is more than the chain is long ({float(length):g} m).")
     impulse = m * v0 + m * g * length / (2 * v0)
     # While one link is lifted about y there is one jerk, at j + 1/2; j links hang before it and one more after it: y/L N on the mean.
     values = {

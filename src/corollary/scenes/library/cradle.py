@@ -21,7 +21,9 @@ SETTINGS = (
     Setting("v0", "velocity of the balls that come in", "m/s", 1.0, above=0.0),
     Setting("gaps", "gap between neighbours", "m", 0.0, least=0.0, many=True),
     Setting("masses", "mass of each ball (instead of m)", "kg", (), above=0.0, many=True),
-    Setting("balls_in", "number of balls that come in together", "1", 1.0, least=1.0, whole=True),
+    Setting(
+        "balls_in", "number of balls that come in together", "1", 1.0, least=1.0, whole=True, below_that="N"
+    ),
 )
 
 # What can be enclosed in some ten seconds: so many balls, none so many times lighter than those that it lies between (benchmarks/proven.py).
@@ -32,8 +34,6 @@ def _row(settings: Mapping[str, Observed]) -> tuple[tuple[float, ...], int]:
     """The masses, and how many balls come in. Raises BadSetting."""
     count, coming = round(one(settings, "N")), round(one(settings, "balls_in"))
     masses = row(settings, "masses", count, "balls") if settings["masses"] else (one(settings, "m"),) * count
-    if coming >= count:
-        raise BadSetting(f"cradle: balls_in = {coming}, but of {count} balls at least one must be hit.")
     return masses, coming
 
 
@@ -77,6 +77,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
         evaluations=collided.spent,
         outcome=result.outcome,
         scales={"velocities": v0},
+        warnings=collided.warnings,
     )
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from corollary.formula.ball import Ball
 from corollary.scenes.definition import Setting
 from corollary.scenes.models.certain import Evaluated, by_formulas
-from corollary.scenes.run import BadSetting
 
 SETTINGS = (
     Setting("C", "force constant", "N m^2", 0.0012, above=0.0),
@@ -13,7 +12,7 @@ SETTINGS = (
     Setting("mB", "mass of B", "kg", 0.15, above=0.0),
     Setting("v", "relative speed of approach at the distance r0", "m/s", 1.0, above=0.0),
     Setting("r0", "distance at the start", "m", 0.08, above=0.0),
-    Setting("s", "impact parameter", "m", 0.0, least=0.0),
+    Setting("s", "impact parameter", "m", 0.0, least=0.0, below_that="r0"),
 )
 
 
@@ -22,10 +21,6 @@ def _evaluated(strength: Ball, ma: Ball, mb: Ball, v: Ball, r0: Ball, s: Ball) -
 
     mu v^2/2 + C/r0 = mu (s v)^2/(2 r^2) + C/r at the closest point, a quadratic in 1/r.
     """
-    if s >= r0:
-        raise BadSetting(
-            f"ions: s = {float(s):g} m must be less than r0 = {float(r0):g} m, for the ions come nearer."
-        )
     mass = 1 / (1 / ma + 1 / mb)
     energy, spin = mass * v * v / 2 + strength / r0, mass * (s * v) ** 2 / 2
     nearest = (strength + (strength**2 + 4 * spin * energy).sqrt()) / (2 * energy)
