@@ -25,6 +25,8 @@ SETTINGS = (
 )
 # scipy's own least: what is left of the bullet's motion is known absolutely.
 LEAST_RELATIVE = 2.3e-14
+# Those that a fading motion remembers, by benchmarks/calibration.py.
+LAST_STEPS = 2.0
 
 
 def play(settings: Settings, tolerance: float) -> Run:
@@ -44,10 +46,8 @@ def play(settings: Settings, tolerance: float) -> Run:
         raise BadSetting(
             f"ballistic_pendulum: in dt = {dt:g} s the block swings up before the bullet is stuck; shorten dt."
         )
-    rough, finer = (
-        _held_fast(settings, max(tolerance, 1e-13)),
-        _held_fast(settings, max(tolerance / 30.0, 1e-14)),
-    )
+    fine = max(tolerance / 30.0, 1e-14)
+    rough, finer = _held_fast(settings, max(tolerance, 1e-13)), _held_fast(settings, fine)
     (way, speed, spent), angle = finer, finer[0] / length
     risen = 2.0 * length * math.sin(0.5 * angle) ** 2
     height = risen + speed**2 / (2.0 * g)
@@ -57,8 +57,9 @@ def play(settings: Settings, tolerance: float) -> Run:
         "angle": 2.0 * math.asin(min(1.0, math.sqrt(0.5 * height / length))),
         "energy_change": both * g * height - 0.5 * bullet * v**2,
     }
-    # The height keeps what the way is off by, too, which the speed forgets; of two runs either may be right by chance.
-    off = abs(rough[1] - finer[1]) / common
+    # The height keeps what the way is off by, too, which the speed forgets; of two runs either may be right by chance, and what fades
+    # forgets all but the last steps, each off by what it may be.
+    off = abs(rough[1] - finer[1]) / common + LAST_STEPS * fine
     raised = off + math.sin(angle) * abs(rough[0] - way) / height
     errors = dict.fromkeys(observed, 4.0 * ROUNDING + 2.0 * raised) | {
         "velocities": 4.0 * ROUNDING + 2.0 * off
