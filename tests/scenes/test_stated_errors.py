@@ -2,6 +2,7 @@
 
 import math
 
+import mpmath as mp
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -199,3 +200,109 @@ def test_two_runs_of_a_cradle_do_not_share_the_error_of_their_first_steps(masses
     given = {"N": 3.0, "masses": masses, "q": q, "gaps": gaps}
     rough, fine = run("cradle", given, 1e-9), run("cradle", given, 1e-14)
     assert abs(rough.observed[what] - fine.observed[what]) <= rough.errors[what]
+
+
+def test_a_slow_last_touch_makes_a_duration_less_certain():
+    given = {
+        "N": 3,
+        "masses": (0.0002923488420979912, 591.5734096822753, 914.8576428608326),
+        "v0": 697.0495490589537,
+        "k": 6.812913443538882e-20,
+        "q": 1.5,
+    }
+    rough, fine = run("cradle", given, 1e-9), run("cradle", given, 1e-13)
+    assert abs(rough.observed["duration"] - fine.observed["duration"]) <= rough.errors["duration"]
+
+
+def test_a_later_touch_too_slow_to_be_told_is_said():
+    given = {
+        "N": 5,
+        "masses": (1.0,) * 5,
+        "q": 2.0,
+        "k": 731660.9188937795,
+        "v0": 0.0017268303712799846,
+        "gaps": (
+            2.1539976344640412e-06,
+            6.483732241073087e-07,
+            0.00020498348495758594,
+            0.0005211181488516456,
+        ),
+    }
+    rough, fine = run("cradle", given, 1e-9), run("cradle", given, 1e-13)
+    assert fine.observed["duration"] > 1e9 > rough.observed["duration"]
+    assert "a later touch, as slow, would not be in the duration" in rough.warnings[0]
+    assert not run("cradle", {"N": 5, "q": 1.5, "gaps": 1e-3}, 1e-12).warnings
+
+
+@pytest.mark.parametrize("tolerance", [0.1, 5e-3])
+def test_the_coarsest_steps_know_their_error(tolerance):
+    given = {
+        "mA": 1.4095543413783778, "mB": 0.10060003102652171, "R": 0.8030527527071682, "k": 1.0731680854575874, "q": 1.0,
+        "eta": 0.0003505627230657331, "dx": -2.7660071756595843, "dy": -3.1411586020973083,
+        "vA": (-0.07996376579672897, -0.05256582726862815), "vB": (1.2204099251423487, 0.7365245246803834),
+    }  # fmt: skip
+    rough, fine = run("spheres", given, tolerance), run("spheres", given, 1e-13)
+    for name, value in fine.observed.items():
+        off = np.abs(np.subtract(rough.observed[name], value))
+        assert (off <= np.array(rough.errors[name]) + np.array(fine.errors[name])).all(), name
+
+
+def test_spheres_pressed_to_their_centres_are_thrown_apart():
+    """The turning, which grows as the cube of the distance, had been left out of what ends a contact: they stuck."""
+    given = {
+        "q": 5.0, "mA": 0.16814111059631254, "mB": 0.0333081192464744, "k": 21455.019257595857, "eta": 0.2351539176682696,
+        "dy": 0.0008465616201400114, "vA": (4.910982992628579, 0.0),
+    }  # fmt: skip
+    found = run("spheres", given)
+    assert found.outcome == "released"
+    truth = (
+        4.79912438267,
+        -1.01881307392e-05,
+        0.564668054905,
+        5.14302114961e-05,
+    )  # DOP853 in x and y, and about the centre
+    assert found.observed["velocities"] == pytest.approx(truth, abs=1e-11)
+
+
+@pytest.mark.parametrize("q", [1.1, 1.3, 1.4, 1.6, 2.4, 2.45, 3.7922656266993995])
+def test_bounds_hold_for_an_exponent_that_no_double_is(q):
+    """Head-on the duration is a Beta function; with weight a quadrature of another kind."""
+    with mp.workdps(50):
+        k, p = 0.05 * (q + 1.0) / 2.0 / 1e-3 ** (q + 1.0), 1 / (mp.mpf(q) + 1)
+        mass, v = 1 / (1 / mp.mpf(0.1) + 1 / mp.mpf(0.1)), mp.mpf(1.0)
+        top = ((mp.mpf(q) + 1) * mass * v**2 / (2 * mp.mpf(k))) ** p
+        lasts = 2 * mp.sqrt(mp.pi) * mp.gamma(1 + p) / mp.gamma(p + mp.mpf(0.5)) * top / v
+        found = run("spheres", {"eta": 0.0, "dy": 0.0, "q": q, "k": k})
+        assert found.measured["duration"].error_is == "bound"
+        assert abs(mp.mpf(found.observed["duration"]) - lasts) <= found.errors["duration"]
+
+
+def test_a_bound_of_a_bounce_with_weight_holds_for_an_exponent_that_no_double_is():
+    given = {
+        "m": 999.6880709477533, "k": 5576815.621512633, "q": 1.2, "R": 0.04745852318631154, "y0": 0.06196264462544787,
+        "v0": 0.0, "g": 275.5742806045637, "eta": 0.0,
+    }  # fmt: skip
+    found = run("ball_on_floor", given)
+    with mp.workdps(40):  # two quadratures of 25 digits
+        off = abs(mp.mpf(found.observed["duration"]) - mp.mpf("0.08249095354158299388697"))
+        assert off <= found.errors["duration"]
+
+
+@pytest.mark.parametrize("eta", [0.0, 2.0])
+def test_surfaces_that_rub_keep_the_angular_momentum(eta):
+    bodies = Body(0.04, (0.0, 0.0), (2.0, 0.0), 0.03), Body(0.02, (0.3, 0.03), (0.0, 0.0), 0.03, spin=5.0)
+    scene = Scene(bodies, (Contact(2e4, 1.5, eta, mu=0.3),), until=0.2)
+    found = play(scene, {O.VELOCITIES, O.TRAJECTORY, O.SPINS}, times=(0.0, 0.2))
+
+    def turning(places, velocities, spins):
+        return sum(
+            body.mass * (places[2 * i] * velocities[2 * i + 1] - places[2 * i + 1] * velocities[2 * i])
+            + 0.4 * body.mass * body.radius**2 * spins[i]
+            for i, body in enumerate(bodies)
+        )
+
+    places = found.observed["trajectory"]
+    before = turning(places[:4], (2.0, 0.0, 0.0, 0.0), (0.0, 5.0))
+    after = turning(places[4:], found.observed["velocities"], found.observed["spins"])
+    assert after == pytest.approx(before, abs=1e-12)
+    assert found.observed["velocities"][3] > 0.1

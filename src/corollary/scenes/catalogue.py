@@ -71,7 +71,9 @@ def run(
         found = found or scene.play(settled, tolerance)
         if proven and found.error_is != "bound":
             found = _enclosed(name, scene, settled, found)
-    except (OverflowError, ZeroDivisionError):
+    except BadSetting:
+        raise
+    except (OverflowError, ZeroDivisionError, ValueError):
         raise BadSetting(
             f"{name}: with these settings numbers leave the range of a computer; choose milder ones."
         ) from None

@@ -19,7 +19,7 @@ from corollary.scenes.row import (
     in_units,
     natural_units,
 )
-from corollary.scenes.run import GuardFailed, Model
+from corollary.scenes.run import COARSEST, GuardFailed, Model
 
 # What rounding leaves of a closed formula.
 ROUNDING = 2e-15
@@ -27,6 +27,8 @@ ROUNDING = 2e-15
 SAFE = 10.0
 # One number's difference may pass through zero between two tolerances, where those of the others do not: this share of theirs is its own.
 SHARED = 0.2
+# So much of the strain of slow touches counts.
+STRAINED = 0.5
 # In longer rows of springs a sum of normal modes costs more than steps.
 MOST_FOR_NORMAL_MODES = 20
 
@@ -100,7 +102,7 @@ def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
 
 def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     """The error is the difference from a coarser run, which is the coarser one's: the finer one's is smaller."""
-    compiled, units = both_ways.wanted(), natural_units(line)
+    compiled, units, tolerance = both_ways.wanted(), natural_units(line), min(tolerance, COARSEST)
     if units is None:
         return Collided(regularised.collide(line), {}, "conservation", "nothing moves toward anything", 0)
     laid = regularised.laid_out(in_units(line, units), compiled)
@@ -123,7 +125,7 @@ def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     }
     if ends:
         # The moment of a slow touch hangs that much on speeds.
-        strained = SHARED * fine.strain * error["velocities"] / max(1.0, fine.duration)
+        strained = STRAINED * fine.strain * error["velocities"] / max(1.0, fine.duration)
         error["duration"] = max(error["duration"], strained)
     together = SHARED * max(error["velocities"], error["overlaps"], error["forces"], apart)
     errors = {name: max(SAFE * max(e, together), ROUNDING) for name, e in error.items()}

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -20,7 +21,7 @@ from corollary.scenes.integrate import both_ways, contact_motion, row_motion
 from corollary.scenes.integrate.regularised import MOST_COMPILED
 from corollary.scenes.integrate.single_contact import MOST_STEPS
 from corollary.scenes.library import spheres
-from corollary.scenes.run import BadSetting
+from corollary.scenes.run import COARSEST, BadSetting
 from corollary.scenes.sound import refuse_tolerance
 
 Array = NDArray[np.float64]
@@ -56,13 +57,13 @@ def ensemble(name: str, given: Mapping[str, Any], tolerance: float = 1e-9) -> En
         raise BadSetting(f"An ensemble is of {' or '.join(PLAYED)}, not of {name!r}; play others one by one.")
     refuse_tolerance(name, tolerance, 1e-13, 0.01)
     with np.errstate(all="ignore"):  # what is no number is refused, variant by variant
-        return PLAYED[name](*_settings(name, given), tolerance)
+        return PLAYED[name](*_settings(name, given), min(tolerance, COARSEST))
 
 
 def _settings(name: str, given: Mapping[str, Any]) -> tuple[dict[str, Array], int]:
     """Every setting as an array with a line for each variant, and their number. Raises BadSetting."""
     known = {setting.name: setting for setting in SCENES[name].settings}
-    arrays = {key: np.asarray(value, dtype=float) for key, value in given.items() if key in known}
+    arrays = {key: _numbers(name, known[key], value) for key, value in given.items() if key in known}
     several = {key for key, a in arrays.items() if a.ndim > known[key].many and key not in ONE_FOR_ALL}
     counts = {len(arrays[key]) for key in several}
     if len(counts) > 1:
@@ -76,6 +77,18 @@ def _settings(name: str, given: Mapping[str, Any]) -> tuple[dict[str, Array], in
         key: arrays[key] if key in several else np.broadcast_to(value, (count, *np.shape(value)))
         for key, value in settled.items()
     }, count
+
+
+def _numbers(name: str, setting: Setting, value: Any) -> Array:
+    try:
+        found = np.asarray(value, dtype=float)
+    except (OverflowError, TypeError, ValueError) as error:
+        raise BadSetting(
+            f"{name}: {setting.name} must be a number, or an array of numbers ({error})."
+        ) from error
+    if not found.size and setting.value:
+        raise BadSetting(f"{name}: {setting.name} is empty; give one value, or one for each variant.")
+    return found
 
 
 def _as_setting(value: Any) -> Any:
@@ -92,8 +105,10 @@ def _check(name: str, setting: Setting, values: Array) -> None:
 
 
 def _kernel(name: str) -> tuple[Any, bool]:
-    fast = both_ways.available()
-    return getattr((both_ways.compiled if fast else both_ways.as_written)("members"), name), fast
+    if both_ways.available():
+        with suppress(ImportError):  # numba may be there and broken
+            return getattr(both_ways.compiled("members"), name), True
+    return getattr(both_ways.as_written("members"), name), False
 
 
 def _called(kernel: str, arrays: list[Array], *rest: Any, room: Array) -> int:
@@ -194,7 +209,7 @@ def _gathered(
     ]
     ends = np.where(np.all(good, axis=0), ends, REFUSED)
     together, lost = shared * np.max(apart, axis=0), ends == REFUSED
-    apart[1] = np.maximum(apart[1], shared * strains * apart[0] * sizes[0] / sizes[1])
+    apart[1] = np.maximum(apart[1], collision.STRAINED * strains * apart[0] * sizes[0] / sizes[1])
     observed: dict[str, Array] = {}
     errors: dict[str, Array] = {}
     for (name, unit), value, size, own in zip(units.items(), fine, sizes, apart, strict=True):

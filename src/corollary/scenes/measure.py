@@ -6,6 +6,8 @@ import math
 from collections.abc import Collection, Sequence
 from functools import lru_cache
 
+import numpy as np
+
 from corollary.scenes.motion.energy import energy, keeps_energy, kinetic
 from corollary.scenes.motion.follow import follow
 from corollary.scenes.motion.lookup import contact_span, flat
@@ -14,6 +16,7 @@ from corollary.scenes.motion.path import Trajectory
 from corollary.scenes.perturbation import CHANGED, perturbed
 from corollary.scenes.progress import part
 from corollary.scenes.run import (
+    COARSEST,
     BadSetting,
     GuardFailed,
     Measurement,
@@ -29,8 +32,6 @@ FINER = 20.0
 SAFETY = 1.5
 """What the difference of the two is multiplied with: it is the coarser run's error, the finer's is a tenth of it or less."""
 FINEST = 2e-14
-COARSEST = 1e-6
-"""From here on steps are so long that two runs take the same and cannot tell their error; they cost little less, too."""
 BY_TOUCH = 10.0
 """So many times what a step may be off is what a slight touch, or the root that a parting ends in, has cost: by benchmarks/calibration.py."""
 BY_BODY = {Observable.VELOCITIES, Observable.TRAJECTORY, Observable.IMPULSE}
@@ -71,6 +72,7 @@ def _grazing(scene: Scene, tolerance: float) -> tuple[Trajectory | None, ...]:
     return tuple(found)
 
 
+@np.errstate(all="ignore")  # what leaves the range of a computer is found in the values
 def measured(
     scene: Scene, observe: Collection[Observable], tolerance: float, why: str, times: Sequence[float] = ()
 ) -> Run:

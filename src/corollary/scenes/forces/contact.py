@@ -17,8 +17,10 @@ from corollary.scenes.sound import refuse_below
 class Contact(ContactForce):
     """k in N/m^q and q above zero, eta in kg/s not negative; the push acts from zero overlap to zero overlap, as in the chapter's programs.
 
-    With `mu` (kinetic; `static` is the same where it is not given) surfaces rub at the contact, in a plane: the bodies are turned by it,
-    and roll on each other where it holds. `chosen` names the pairs of bodies it acts between; without it, it acts between all that no
+    The dashpot drags against all of the relative velocity of the centres, as in the chapter: in a plane it takes angular momentum. With
+    `mu` (kinetic; `static` is the same where it is not given) surfaces rub at the contact, in a plane: the bodies are turned by it, and
+    roll on each other where it holds; friction is what acts across then, mu times the push of the spring, and the dashpot acts along the
+    line of centres only. `chosen` names the pairs of bodies it acts between; without it, it acts between all that no
     other contact has chosen. Source: equations (12.23), (12.119) and (12.137).
     """
 
@@ -37,12 +39,14 @@ class Contact(ContactForce):
             )
 
     def between(self, scene: Scene, state: State, a: int, b: int) -> list[float]:
-        """The push along the line of centres, the drag along the relative velocity."""
-        depth, _ = overlap(scene, state, a, b)
+        """The push along the line of centres, the drag along the relative velocity, or along that line, too, where surfaces rub."""
+        depth, growing = overlap(scene, state, a, b)
         if depth <= 0.0:
             return [0.0] * scene.axes
         apart, relative = seen_from(scene, state, a, b)
         distance, spring = math.hypot(*apart), push(self, depth, 0.0)
+        if self.rubs_surfaces:
+            return [(spring + self.eta * growing) * x / distance for x in apart]
         return [spring * x / distance - self.eta * v for x, v in zip(apart, relative, strict=True)]
 
     def potential(self, scene: Scene, state: State) -> float:

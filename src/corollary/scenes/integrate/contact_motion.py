@@ -93,13 +93,14 @@ def force_growth(y, groups):
 def sticks(y, groups):
     """Whether the contact will never end: the argument for two bodies on a line, the turning counted as a spring.
 
-    It fades faster than the overlap, so what holds now holds for ever.
+    It fades faster than the overlap, the more as the centres part, so what holds now holds for ever.
     """
     q, s, spring, drag, across, thickness = groups
     x, rate = whole(max(y[W], 0.0), s), y[P]
-    if drag == 0.0 or x == 0.0 or rate > 0.0:
+    near = 1.0 - thickness * x
+    if drag == 0.0 or x == 0.0 or rate > 0.0 or near <= 0.0:
         return False
-    turning = across * across * thickness * y[SPIN] * y[SPIN] / x
+    turning = across * across * thickness * y[SPIN] * y[SPIN] / (x * near * near * near)
     return never_faster(drag, push(spring, q, x) / x + turning, -rate / x)
 
 

@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 from corollary.scenes.collision import ROUNDING
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.forces.spring import catching
-from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, by_relative_errors
+from corollary.scenes.run import COARSEST, BadSetting, GuardFailed, Observed, Run, by_relative_errors
 
 SETTINGS = (
     Setting("mA", "mass of the bullet", "kg", 0.01, above=0.0),
@@ -29,6 +29,7 @@ LEAST_RELATIVE = 2.3e-14
 LAST_STEPS = 2.0
 
 
+@np.errstate(all="ignore")  # what leaves the range of a computer is found in the values
 def play(settings: Settings, tolerance: float) -> Run:
     """Velocities (bullet, block) when the bullet is stuck, height and greatest angle of the swing, energy lost in the hit (J; negative).
 
@@ -46,6 +47,7 @@ def play(settings: Settings, tolerance: float) -> Run:
         raise BadSetting(
             f"ballistic_pendulum: in dt = {dt:g} s the block swings up before the bullet is stuck; shorten dt."
         )
+    tolerance = min(tolerance, COARSEST)
     fine = max(tolerance / 30.0, 1e-14)
     rough, finer = _held_fast(settings, max(tolerance, 1e-13)), _held_fast(settings, fine)
     (way, speed, spent), angle = finer, finer[0] / length

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from flint import acb, acb_poly, arb
 
 from corollary.scenes.forces.contact import Contact, smoothing_power
@@ -52,8 +54,8 @@ def bounce(contact: Contact, mass: arb, speed: arb, weight: arb) -> Hit:
     top = deepest(contact, mass, speed, weight)
     square, fall = acb(speed * speed), acb(2 * weight * top)
 
-    powers = s * (q + 1.0), s * q
-    whole = all(each == round(each) for each in powers)
+    powers = s * (Fraction(q) + 1), s * Fraction(q)
+    whole = powers[0].denominator == 1
     sums = acb_poly([square] * round(powers[0])) + acb_poly([0] * s + [fall] * round(powers[1]))
 
     def per_y(y: acb, analytic: bool) -> acb:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import TypeVar
 
 from flint import acb, arb, ctx
@@ -231,17 +232,18 @@ def integral(integrand: Callable[[acb, bool], acb], low: arb, high: arb) -> arb:
     raise GuardFailed("An integral of the motion is too uneven for these settings; choose milder ones.")
 
 
-def geometric(w: acb, n: float, analytic: bool) -> acb:
+def geometric(w: acb, n: Fraction, analytic: bool) -> acb:
     """(1 - w^n) / (1 - w): for a whole n a sum without a difference; else regular at 1, and at 0 no more than continuous."""
-    if n == round(n):
+    if n.denominator == 1:
         total = acb(1)
-        for _ in range(round(n) - 1):
+        for _ in range(n.numerator - 1):
             total = total * w + 1
         return total
-    if not (1 - w).contains(0) and abs(1 - w) > 1.0 / n:
-        return (1 - _power(w, n, analytic)) / (1 - w)
+    power = arb(n.numerator) / n.denominator
+    if not (1 - w).contains(0) and abs(1 - w) * power > 1:
+        return (1 - _power(w, power, analytic)) / (1 - w)
     log = w.log(analytic=analytic)
-    return n * _growth(n * log) / _growth(log)
+    return power * _growth(power * log) / _growth(log)
 
 
 def _growth(z: acb) -> acb:
@@ -256,8 +258,8 @@ def _growth(z: acb) -> acb:
     return total + acb(arb(0, left), arb(0, left))
 
 
-def _power(w: acb, n: float, analytic: bool) -> acb:
+def _power(w: acb, n: arb, analytic: bool) -> acb:
     if w.contains(0) and not analytic:
-        reach = arb(0, (abs(w).upper() ** arb(n)).upper())
+        reach = arb(0, (abs(w).upper() ** n).upper())
         return acb(reach, reach)
     return w.pow(acb(n), analytic=analytic)

@@ -97,6 +97,7 @@ def normal_modes(line: RowOfBodies, touching: Flags, overlaps: Array, rates: Arr
     )
 
 
+@np.errstate(all="ignore")  # what leaves the range of a computer is found in the values
 def collide(line: RowOfBodies) -> RowResult:
     """Follow a line of springs (q = 1, no damping, no weight) exactly from one opening or closing to the next.
 

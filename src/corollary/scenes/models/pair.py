@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import astuple, dataclass
+from fractions import Fraction
 
 from flint import acb, arb
 
@@ -19,6 +20,7 @@ from corollary.scenes.models.certain import (
     root,
     sign,
 )
+from corollary.scenes.models.two_bodies import undamped
 from corollary.scenes.run import BadSetting, Model, Outcome
 
 Vector = tuple[float, float]
@@ -188,11 +190,16 @@ def turned_and_lasted(pair: Pair, inward: arb, spin: arb) -> tuple[arb, arb, arb
     """The largest overlap, the angle turned by the line of centres, and the duration of an undamped contact.
 
     With overlap = X w^s and w = 1 - y^2 the square of the radial speed is y^2 times a sum of positive terms: nothing cancels, and
-    the integrands are smooth at the largest overlap X and at the touch. By symmetry the second half mirrors the first.
+    the integrands are smooth at the largest overlap X and at the touch. By symmetry the second half mirrors the first. Head-on it is Beta
+    functions.
     """
     d, q, s = arb(pair.reach), pair.contact.q, max(smoothing_power(pair.contact), 2)
     top = _deepest(pair, inward, spin)
     refuse_too_soft(float(top), pair.reach)
+    if not sign(spin):
+        hit = undamped(reduced_mass(pair), arb(pair.contact.k), arb(q), inward)
+        assert hit.duration is not None
+        return top, arb(0), hit.duration
     near = acb(d - top)
     stiff = acb(2 * arb(pair.contact.k) / ((arb(q) + 1) * reduced_mass(pair)) * top ** (arb(q) + 1))
     turning = acb(spin * spin * top)
@@ -201,8 +208,8 @@ def turned_and_lasted(pair: Pair, inward: arb, spin: arb) -> tuple[arb, arb, arb
         """dt / dy over 4 s X, and the distance of the centres."""
         w = 1 - y * y
         r = d - top * w**s
-        rate = stiff * geometric(w, s * (q + 1.0), analytic)
-        rate += turning * geometric(w, float(s), analytic) * (r + near) / (near * near * r * r)
+        rate = stiff * geometric(w, s * (Fraction(q) + 1), analytic)
+        rate += turning * geometric(w, Fraction(s), analytic) * (r + near) / (near * near * r * r)
         return w ** (s - 1) / rate.sqrt(analytic=analytic), r
 
     def turning_rate(y: acb, analytic: bool) -> acb:
@@ -210,8 +217,7 @@ def turned_and_lasted(pair: Pair, inward: arb, spin: arb) -> tuple[arb, arb, arb
         return rate / (r * r)
 
     lasted = 4 * s * top * integral(lambda y, analytic: pace(y, analytic)[0], arb(0), arb(1))
-    turned = 4 * s * top * spin * integral(turning_rate, arb(0), arb(1)) if sign(spin) else arb(0)
-    return top, turned, lasted
+    return top, 4 * s * top * spin * integral(turning_rate, arb(0), arb(1)), lasted
 
 
 def collision(pair: Pair) -> Evaluated:
