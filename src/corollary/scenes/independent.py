@@ -7,9 +7,10 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
 from corollary.scenes.asked import within_range
-from corollary.scenes.collision import collide
+from corollary.scenes.collision import ROUNDING, collide
 from corollary.scenes.collisions_in_turn import STEPS, chain, rocket, second_run
 from corollary.scenes.definition import Settings, numbers, one, row
+from corollary.scenes.falls_and_swings import bouncing_ball, pendulum_block
 from corollary.scenes.forces.absorption import Absorption
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.friction import Friction
@@ -144,7 +145,7 @@ def wall(settings: Settings, tolerance: float) -> Run:
     m, v0, theta, dt = numbers(settings, "m", "v0", "theta", "dt")
     along, into = v0 * math.cos(theta), v0 * math.sin(theta)
     line = RowOfBodies((math.inf, m), (0.0, -into), (0.0,), (Contact(m * (math.pi / dt) ** 2, 1.0),))
-    found = collide(line, tolerance)
+    found = collide(line, tolerance, in_steps=True)
     change = m * (found.result.velocities[1] + into)
     observed: dict[str, Observed] = {
         "velocities": (along, found.result.velocities[1]),
@@ -157,20 +158,31 @@ def wall(settings: Settings, tolerance: float) -> Run:
 
 
 def cradle(settings: Settings, tolerance: float) -> Run | None:
-    """Of two balls."""
-    if one(settings, "N") != 2.0:
-        return None
-    masses = row(settings, "masses", 2, "balls") if settings["masses"] else (one(settings, "m"),) * 2
+    """None for more than two balls that are no springs: they are followed in steps in any case."""
+    count, coming = round(one(settings, "N")), round(one(settings, "balls_in"))
     k, q, v0 = numbers(settings, "k", "q", "v0")
-    found = collide(RowOfBodies(masses, (v0, 0.0), (0.0,), (Contact(k, q),)), tolerance)
-    result = found.result
+    if count > 2 and q > 1.0:
+        return None
+    masses = row(settings, "masses", count, "balls") if settings["masses"] else (one(settings, "m"),) * count
+    gaps = row(settings, "gaps", count - 1, "gaps")
+    if count == 2:  # however far apart, the collision is the same
+        gaps = (0.0,)
+    velocities = (v0,) * coming + (0.0,) * (count - coming)
+    line = RowOfBodies(masses, velocities, gaps, (Contact(k, q),) * (count - 1))
+    found = collide(line, tolerance, in_steps=True)
+    result, errors = found.result, found.errors
     observed: dict[str, Observed] = {
         "velocities": result.velocities,
         "duration": result.duration,
-        "largest_overlap": result.overlaps[0],
-        "peak_force": result.forces[0],
+        "largest_overlap": max(result.overlaps),
+        "peak_force": max(result.forces),
     }
-    return second_run(observed, max(found.errors.values()), found.why, found.model)
+    seen = {"largest_overlap": "overlaps", "peak_force": "forces"}
+    relative = {name: errors[seen.get(name, name)] for name in observed}
+    scales, outcome = {"velocities": v0}, result.outcome
+    return by_relative_errors(
+        observed, relative, found.model, found.why, found.spent, outcome, scales, found.warnings
+    )
 
 
 def two_blocks(settings: Settings, tolerance: float) -> Run:
@@ -178,10 +190,18 @@ def two_blocks(settings: Settings, tolerance: float) -> Run:
     log = -math.log(r) if r else math.inf
     share = log / math.hypot(math.pi, log) if r else 1.0 + 1e-9
     eta = 2.0 * share * math.sqrt(k * ma / (ma + mb) * mb)
-    found = collide(RowOfBodies((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance)
+    found = collide(
+        RowOfBodies((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance, in_steps=True
+    )
     a, b = found.result.velocities
     observed: dict[str, Observed] = {"velocities": (a, b), "impulse": mb * (b - vb)}
-    return second_run(observed, max(found.errors.values(), default=0.0), found.why, found.model)
+    fastest = max(map(abs, (va, vb, a, b)))
+    scales = {"velocities": fastest, "impulse": mb * fastest}
+    # Rounding alone moves bodies that never meet.
+    errors = dict.fromkeys(observed, found.errors.get("velocities", ROUNDING))
+    return by_relative_errors(
+        observed, errors, found.model, found.why, found.spent, found.result.outcome, scales, found.warnings
+    )
 
 
 def atom(settings: Settings, tolerance: float) -> Run:
@@ -261,7 +281,7 @@ def ball_on_floor(settings: Settings, tolerance: float) -> Run | None:
         stepped,  # here, since a scene is loaded when it is asked for
     )
 
-    return None if one(settings, "eta") else stepped(settings, tolerance)
+    return stepped(settings, tolerance)
 
 
 def spheres(settings: Settings, tolerance: float) -> Run | None:
@@ -276,12 +296,14 @@ SECOND_WAYS: dict[str, Callable[[Settings, float], Run | None]] = {
         absorbed_drop,
         atom,
         ball_on_floor,
+        bouncing_ball,
         bullet_block,
         chain,
         cradle,
         growing_drop,
         ions,
         kick,
+        pendulum_block,
         railway_car,
         rocket,
         snowball,
