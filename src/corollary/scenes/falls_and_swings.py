@@ -97,12 +97,14 @@ def swung(angle: float, turning: float, tolerance: float, *, turns: bool = True)
     """
     if turns and turning == 0.0:
         return angle, 0.0
+    size = max(abs(angle), abs(turning))
 
     def slope(_: float, state: Sequence[float]) -> list[float]:
-        return [state[1], -math.sin(state[0])]
+        return [state[1], -math.sin(size * state[0]) / size]
 
-    _, state = until(slope, (angle, turning), lambda y: y[1] if turns else y[0], tolerance, 0.0)
-    return state[0], state[1]
+    start = angle / size, turning / size
+    _, state = until(slope, start, lambda y: y[1] if turns else y[0], tolerance, 0.0)
+    return size * state[0], size * state[1]
 
 
 def bouncing_ball(settings: Settings, tolerance: float) -> Run:

@@ -93,18 +93,19 @@ def bullet_block(settings: Settings, tolerance: float) -> Run:
 
 def snowball(settings: Settings, tolerance: float) -> Run:
     you, son, ball, v, theta, dt = numbers(settings, "M", "Ms", "m", "v", "theta", "dt")
-    push = ball * v * math.cos(theta) / dt
-    forces = ForceFunction(0, lambda t, x, w: (push,)), ForceFunction(1, lambda t, x, w: (-push,))
-    thrower = Body(ball, (1.0,), (0.0,)), Body(you, (0.0,), (0.0,))
-    (level, yours), _, error = _after(thrower, forces, dt, tolerance)
+    along, up = ball * v * math.cos(theta) / dt, ball * v * math.sin(theta) / dt
+    # The ice carries what the throw does to you vertically.
+    forces = ForceFunction(0, lambda t, x, w: (along, up)), ForceFunction(1, lambda t, x, w: (-along, 0.0))
+    thrower = Body(ball, (1.0, 0.0), (0.0, 0.0)), Body(you, (0.0, 0.0), (0.0, 0.0))
+    (level, rising, yours, _), _, error = _after(thrower, forces, dt, tolerance)
     a, b = Body(ball, (0.0,), (level,)), Body(son, (10.0 * v * dt + 1.0,), (0.0,))
     (_, sons), _, more = _after((a, b), (catching(ball, son, dt),), dt, tolerance)
     observed: dict[str, Observed] = {
-        "momentum": (ball * level, ball * v * math.sin(theta)),
+        "momentum": (ball * level, ball * rising),
         "velocities_after_throw": (yours, 0.0),
         "velocities": (yours, sons),
     }
-    fastest = max(abs(level), abs(yours))
+    fastest = max(abs(level), abs(rising), abs(yours))
     scales = {"velocities_after_throw": fastest, "velocities": fastest}
     return second_run(observed, max(error, more), scales=scales)
 
@@ -284,6 +285,18 @@ def ball_on_floor(settings: Settings, tolerance: float) -> Run | None:
     return stepped(settings, tolerance)
 
 
+def ballistic_pendulum(settings: Settings, tolerance: float) -> Run:
+    from corollary.scenes.library.ballistic_pendulum import play
+
+    return play(settings, tolerance, in_steps=True)
+
+
+def super_ball(settings: Settings, tolerance: float) -> Run:
+    from corollary.scenes.library.super_ball import play
+
+    return play(settings, tolerance, in_steps=True)
+
+
 def spheres(settings: Settings, tolerance: float) -> Run | None:
     from corollary.scenes.library.spheres import play
 
@@ -296,6 +309,7 @@ SECOND_WAYS: dict[str, Callable[[Settings, float], Run | None]] = {
         absorbed_drop,
         atom,
         ball_on_floor,
+        ballistic_pendulum,
         bouncing_ball,
         bullet_block,
         chain,
@@ -308,6 +322,7 @@ SECOND_WAYS: dict[str, Callable[[Settings, float], Run | None]] = {
         rocket,
         snowball,
         spheres,
+        super_ball,
         two_blocks,
         wall,
     )
