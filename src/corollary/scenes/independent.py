@@ -69,10 +69,10 @@ def absorbed_drop(settings: Settings, tolerance: float) -> Run:
     pushed = (push,) if force else ()
     (body, drop), _, error = _after((a, b), (catching(m, dm, dt), *pushed), short, tolerance)
     if t > short:
-        both = Body(m + dm, (0.0,), ((m * body + dm * drop) / (m + dm),))
-        (common,), _, more = _after((both,), (push,), t - short, tolerance)
-        lag = body - drop
-        body, drop, error = common + dm / (m + dm) * lag, common - m / (m + dm) * lag, max(error, more)
+        # They go on as one, the drop as far behind as it is then.
+        both = Body(m + dm, (0.0,), (body,))
+        (later,), _, more = _after((both,), (push,), t - short, tolerance)
+        body, drop, error = later, drop + (later - body), max(error, more)
     change = m * (body - v) + dm * (drop - u)
     fastest = max(abs(body), abs(v), abs(drop), abs(u))
     scales = {"velocities": fastest, "momentum_change": (m + dm) * fastest}
@@ -127,19 +127,23 @@ def kick(settings: Settings, tolerance: float) -> Run:
 
 def ions(settings: Settings, tolerance: float) -> Run:
     strength, ma, mb, v, r0, s = numbers(settings, "C", "mA", "mB", "v", "r0", "s")
-    mass = ma / (ma + mb) * mb
-    relative = Body(mass, (math.sqrt((r0 - s) * (r0 + s)), s), (-v, 0.0))
-    scene = Scene(
-        (relative, Body(math.inf, (0.0, 0.0), (0.0, 0.0))),
-        (InverseSquare((0, 1), -strength),),
-        until=4.0 * r0 / v,
+    # Seen from where both meet in the end if nothing acts: each turns there as the other does, at distances that add up.
+    far, share = math.sqrt((r0 - s) * (r0 + s)), mb / (ma + mb)
+    a = Body(ma, (-share * far, -share * s), (share * v, 0.0))
+    b = Body(mb, ((1.0 - share) * far, (1.0 - share) * s), (-(1.0 - share) * v, 0.0))
+    runs = [
+        _followed(
+            Scene(bodies, (InverseSquare((0, 1), -strength),), until=4.0 * r0 / v),
+            {Observable.TURNING_POINTS},
+            tolerance,
+        )
+        for bodies in ((a, b), (b, a))
+    ]
+    nearest = math.fsum(components(run.observed["turning_points"])[0] for run in runs)
+    error = max(run.relative_error("turning_points") for run in runs) * max(
+        1.0, *(run.measured["turning_points"].size / nearest for run in runs)
     )
-    run = _followed(scene, {Observable.TURNING_POINTS}, tolerance)
-    nearest = components(run.observed["turning_points"])[:1]
-    return second_run(
-        {"turning_points": nearest, "peak_force": strength / nearest[0] ** 2},
-        run.relative_error("turning_points"),
-    )
+    return second_run({"turning_points": (nearest,), "peak_force": strength / nearest**2}, 2.0 * error)
 
 
 def wall(settings: Settings, tolerance: float) -> Run:
@@ -298,9 +302,21 @@ def super_ball(settings: Settings, tolerance: float) -> Run:
 
 
 def spheres(settings: Settings, tolerance: float) -> Run | None:
-    from corollary.scenes.library.spheres import play
+    """From start to end as an author's own scene, two bodies of their own; none for damping, whose contact is followed in steps."""
+    from corollary.scenes.library.spheres import NAMES, pair_of
 
-    return None if one(settings, "eta") else play(settings, tolerance, in_steps=True)
+    pair = pair_of(settings, "spheres")
+    if pair.contact.eta:
+        return None
+    bodies = tuple(
+        Body(m, x, v, 0.5 * pair.reach)
+        for m, x, v in zip((pair.mass_a, pair.mass_b), ((0.0, 0.0), pair.apart), pair.velocities, strict=True)
+    )
+    observe = {each for each in Observable if each.value in NAMES}
+    run = _followed(Scene(bodies, (pair.contact,), name="spheres"), observe, tolerance)
+    given = run.measured["impulse"]
+    value, error = components(given.value)[2:], components(given.error)[2:]
+    return replace(run, measured=run.measured | {"impulse": replace(given, value=value, error=error)})
 
 
 SECOND_WAYS: dict[str, Callable[[Settings, float], Run | None]] = {
