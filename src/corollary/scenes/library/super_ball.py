@@ -55,16 +55,14 @@ def play(settings: Settings, tolerance: float, *, in_steps: bool = False) -> Run
 
     With a gap the lower ball leaves the floor before they meet, as the example supposes; without one all three touch at once and
     the answer is another. Weight during the contacts is left out, unless they are `weighed`; `heights` is counted from the balls'
-    places when the lower one meets the floor. `in_steps` follows the fall, every contact and the rise, and leaves heights out that are
-    `weighed`, for these are found by energy.
+    places when the lower one meets the floor. `in_steps` follows the fall, every contact and the rise.
     """
     ma, mb, h0, g, k, q, gap = numbers(settings, "mA", "mB", "h0", "g", "k", "q", "gap")
     speed = fallen(h0, 0.0, g) if in_steps else math.sqrt(2.0 * g * h0)
     line = RowOfBodies((math.inf, ma, mb), (0.0, -speed, -speed), (0.0, gap), (Contact(k, q), Contact(k, q)))
     found = collide(line, tolerance, in_steps=in_steps)
     if one(settings, "weighed"):
-        weighed = _weighed(line, found.result, g, gap, tolerance)
-        return weighed.only(("velocities", "duration")) if in_steps else weighed
+        return _weighed(line, found.result, g, gap, tolerance, in_steps=in_steps)
     _, lower, upper = found.result.velocities
     observed: dict[str, Observed] = {
         "velocities": (lower, upper),
@@ -110,7 +108,9 @@ def _beside_weight(run: Run, line: RowOfBodies, free: RowResult, g: float, gap: 
     return replace(run, measured=measured, evaluations=run.evaluations + weighed.evaluations)
 
 
-def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance: float) -> Run:
+def _weighed(
+    line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance: float, *, in_steps: bool = False
+) -> Run:
     """The same with weight, followed until all touches are over; `free` is what comes of it without.
 
     Energy gives each height: it does not change as the balls fly on, nor when the floor turns the lower one round again.
@@ -155,7 +155,8 @@ def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance
             "super_ball: with their weight the lower ball catches the upper one up in flight, on an edge. Change a mass a little."
         )
     heights = tuple(
-        y - start + v * v / (2.0 * g) for y, start, v in zip(places, at_touch, velocities, strict=True)
+        y - start + _risen(abs(v), speed**2 / g, g, in_steps)
+        for y, start, v in zip(places, at_touch, velocities, strict=True)
     )
     # From the last opening to the end they flew, and slowed down, freely.
     lasts = components(run.observed["duration"])[0]
