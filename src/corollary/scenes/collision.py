@@ -49,12 +49,12 @@ class Collided:
 
 
 @lru_cache(maxsize=1024)
-def collide(line: RowOfBodies, tolerance: float) -> Collided:
-    """What the line comes to; found once and kept.
+def collide(line: RowOfBodies, tolerance: float, *, in_steps: bool = False) -> Collided:
+    """What the line comes to; found once and kept. `in_steps` follows it whatever else could be done.
 
     Raises GuardFailed when no run keeps momentum and energy, BadSetting when compiled steps are asked for and numba is missing.
     """
-    if _springs(line) and len(line.masses) <= MOST_FOR_NORMAL_MODES:
+    if not in_steps and _springs(line) and len(line.masses) <= MOST_FOR_NORMAL_MODES:
         return _by_normal_modes(line)
     return _integrated(line, tolerance)
 

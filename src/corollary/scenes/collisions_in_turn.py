@@ -31,7 +31,8 @@ def chain(settings: Settings, tolerance: float) -> Run:
     for _ in range(count):
         # Half a link's way with what hangs, the jerk of the next link, and the other half with one more.
         impulse += hanging * g * 0.5 * beat + link * v0 + (hanging + link) * g * 0.5 * beat
-        lost += 0.5 * link * v0 * v0
+        # The hand's work in the jerk, less what the link has of it.
+        lost += link * v0 * v0 - 0.5 * link * v0 * v0
         hanging += link
     # While one link is lifted about y there is one jerk, at j + 1/2; j links hang before it and one more after it.
     lifted = y / length * count

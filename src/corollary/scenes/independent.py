@@ -7,18 +7,17 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
 from corollary.scenes.asked import within_range
-from corollary.scenes.collision import collide
 from corollary.scenes.collisions_in_turn import STEPS, chain, rocket, second_run
-from corollary.scenes.definition import Settings, numbers, one, row
+from corollary.scenes.definition import Settings, numbers, one
+from corollary.scenes.falls_and_swings import bouncing_ball, pendulum_block
 from corollary.scenes.forces.absorption import Absorption
-from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.spring import FADING, Spring, catching
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
-from corollary.scenes.row import RowOfBodies
+from corollary.scenes.rows_in_steps import cradle, two_blocks, wall
 from corollary.scenes.run import BadSetting, Observable, Observed, Run, by_relative_errors, components
 from corollary.scenes.scene import Body, Force, Scene
 
@@ -68,10 +67,10 @@ def absorbed_drop(settings: Settings, tolerance: float) -> Run:
     pushed = (push,) if force else ()
     (body, drop), _, error = _after((a, b), (catching(m, dm, dt), *pushed), short, tolerance)
     if t > short:
-        both = Body(m + dm, (0.0,), ((m * body + dm * drop) / (m + dm),))
-        (common,), _, more = _after((both,), (push,), t - short, tolerance)
-        lag = body - drop
-        body, drop, error = common + dm / (m + dm) * lag, common - m / (m + dm) * lag, max(error, more)
+        # They go on as one, the drop as far behind as it is then.
+        both = Body(m + dm, (0.0,), (body,))
+        (later,), _, more = _after((both,), (push,), t - short, tolerance)
+        body, drop, error = later, drop + (later - body), max(error, more)
     change = m * (body - v) + dm * (drop - u)
     fastest = max(abs(body), abs(v), abs(drop), abs(u))
     scales = {"velocities": fastest, "momentum_change": (m + dm) * fastest}
@@ -92,18 +91,19 @@ def bullet_block(settings: Settings, tolerance: float) -> Run:
 
 def snowball(settings: Settings, tolerance: float) -> Run:
     you, son, ball, v, theta, dt = numbers(settings, "M", "Ms", "m", "v", "theta", "dt")
-    push = ball * v * math.cos(theta) / dt
-    forces = ForceFunction(0, lambda t, x, w: (push,)), ForceFunction(1, lambda t, x, w: (-push,))
-    thrower = Body(ball, (1.0,), (0.0,)), Body(you, (0.0,), (0.0,))
-    (level, yours), _, error = _after(thrower, forces, dt, tolerance)
+    along, up = ball * v * math.cos(theta) / dt, ball * v * math.sin(theta) / dt
+    # The ice carries what the throw does to you vertically.
+    forces = ForceFunction(0, lambda t, x, w: (along, up)), ForceFunction(1, lambda t, x, w: (-along, 0.0))
+    thrower = Body(ball, (1.0, 0.0), (0.0, 0.0)), Body(you, (0.0, 0.0), (0.0, 0.0))
+    (level, rising, yours, _), _, error = _after(thrower, forces, dt, tolerance)
     a, b = Body(ball, (0.0,), (level,)), Body(son, (10.0 * v * dt + 1.0,), (0.0,))
     (_, sons), _, more = _after((a, b), (catching(ball, son, dt),), dt, tolerance)
     observed: dict[str, Observed] = {
-        "momentum": (ball * level, ball * v * math.sin(theta)),
+        "momentum": (ball * level, ball * rising),
         "velocities_after_throw": (yours, 0.0),
         "velocities": (yours, sons),
     }
-    fastest = max(abs(level), abs(yours))
+    fastest = max(abs(level), abs(rising), abs(yours))
     scales = {"velocities_after_throw": fastest, "velocities": fastest}
     return second_run(observed, max(error, more), scales=scales)
 
@@ -125,63 +125,23 @@ def kick(settings: Settings, tolerance: float) -> Run:
 
 def ions(settings: Settings, tolerance: float) -> Run:
     strength, ma, mb, v, r0, s = numbers(settings, "C", "mA", "mB", "v", "r0", "s")
-    mass = ma / (ma + mb) * mb
-    relative = Body(mass, (math.sqrt((r0 - s) * (r0 + s)), s), (-v, 0.0))
-    scene = Scene(
-        (relative, Body(math.inf, (0.0, 0.0), (0.0, 0.0))),
-        (InverseSquare((0, 1), -strength),),
-        until=4.0 * r0 / v,
+    # Seen from where both meet in the end if nothing acts: each turns there as the other does, at distances that add up.
+    far, share = math.sqrt((r0 - s) * (r0 + s)), mb / (ma + mb)
+    a = Body(ma, (-share * far, -share * s), (share * v, 0.0))
+    b = Body(mb, ((1.0 - share) * far, (1.0 - share) * s), (-(1.0 - share) * v, 0.0))
+    runs = [
+        _followed(
+            Scene(bodies, (InverseSquare((0, 1), -strength),), until=4.0 * r0 / v),
+            {Observable.TURNING_POINTS},
+            tolerance,
+        )
+        for bodies in ((a, b), (b, a))
+    ]
+    nearest = math.fsum(components(run.observed["turning_points"])[0] for run in runs)
+    error = max(run.relative_error("turning_points") for run in runs) * max(
+        1.0, *(run.measured["turning_points"].size / nearest for run in runs)
     )
-    run = _followed(scene, {Observable.TURNING_POINTS}, tolerance)
-    nearest = components(run.observed["turning_points"])[:1]
-    return second_run(
-        {"turning_points": nearest, "peak_force": strength / nearest[0] ** 2},
-        run.relative_error("turning_points"),
-    )
-
-
-def wall(settings: Settings, tolerance: float) -> Run:
-    m, v0, theta, dt = numbers(settings, "m", "v0", "theta", "dt")
-    along, into = v0 * math.cos(theta), v0 * math.sin(theta)
-    line = RowOfBodies((math.inf, m), (0.0, -into), (0.0,), (Contact(m * (math.pi / dt) ** 2, 1.0),))
-    found = collide(line, tolerance)
-    change = m * (found.result.velocities[1] + into)
-    observed: dict[str, Observed] = {
-        "velocities": (along, found.result.velocities[1]),
-        "momentum_change": (0.0, change),
-        "impulse": (0.0, -change),
-        "mean_force": (0.0, change / found.result.duration),
-        "duration": found.result.duration,
-    }
-    return second_run(observed, max(found.errors.values()), found.why, found.model)
-
-
-def cradle(settings: Settings, tolerance: float) -> Run | None:
-    """Of two balls."""
-    if one(settings, "N") != 2.0:
-        return None
-    masses = row(settings, "masses", 2, "balls") if settings["masses"] else (one(settings, "m"),) * 2
-    k, q, v0 = numbers(settings, "k", "q", "v0")
-    found = collide(RowOfBodies(masses, (v0, 0.0), (0.0,), (Contact(k, q),)), tolerance)
-    result = found.result
-    observed: dict[str, Observed] = {
-        "velocities": result.velocities,
-        "duration": result.duration,
-        "largest_overlap": result.overlaps[0],
-        "peak_force": result.forces[0],
-    }
-    return second_run(observed, max(found.errors.values()), found.why, found.model)
-
-
-def two_blocks(settings: Settings, tolerance: float) -> Run:
-    ma, mb, va, vb, r, k = numbers(settings, "mA", "mB", "vA", "vB", "r", "k")
-    log = -math.log(r) if r else math.inf
-    share = log / math.hypot(math.pi, log) if r else 1.0 + 1e-9
-    eta = 2.0 * share * math.sqrt(k * ma / (ma + mb) * mb)
-    found = collide(RowOfBodies((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance)
-    a, b = found.result.velocities
-    observed: dict[str, Observed] = {"velocities": (a, b), "impulse": mb * (b - vb)}
-    return second_run(observed, max(found.errors.values(), default=0.0), found.why, found.model)
+    return second_run({"turning_points": (nearest,), "peak_force": strength / nearest**2}, 2.0 * error)
 
 
 def atom(settings: Settings, tolerance: float) -> Run:
@@ -261,13 +221,37 @@ def ball_on_floor(settings: Settings, tolerance: float) -> Run | None:
         stepped,  # here, since a scene is loaded when it is asked for
     )
 
-    return None if one(settings, "eta") else stepped(settings, tolerance)
+    return stepped(settings, tolerance)
+
+
+def ballistic_pendulum(settings: Settings, tolerance: float) -> Run:
+    from corollary.scenes.library.ballistic_pendulum import play
+
+    return play(settings, tolerance, in_steps=True)
+
+
+def super_ball(settings: Settings, tolerance: float) -> Run:
+    from corollary.scenes.library.super_ball import play
+
+    return play(settings, tolerance, in_steps=True)
 
 
 def spheres(settings: Settings, tolerance: float) -> Run | None:
-    from corollary.scenes.library.spheres import play
+    """From start to end as an author's own scene, two bodies of their own; none for damping, whose contact is followed in steps."""
+    from corollary.scenes.library.spheres import NAMES, pair_of
 
-    return None if one(settings, "eta") else play(settings, tolerance, in_steps=True)
+    pair = pair_of(settings, "spheres")
+    if pair.contact.eta:
+        return None
+    bodies = tuple(
+        Body(m, x, v, 0.5 * pair.reach)
+        for m, x, v in zip((pair.mass_a, pair.mass_b), ((0.0, 0.0), pair.apart), pair.velocities, strict=True)
+    )
+    observe = {each for each in Observable if each.value in NAMES}
+    run = _followed(Scene(bodies, (pair.contact,), name="spheres"), observe, tolerance)
+    given = run.measured["impulse"]
+    value, error = components(given.value)[2:], components(given.error)[2:]
+    return replace(run, measured=run.measured | {"impulse": replace(given, value=value, error=error)})
 
 
 SECOND_WAYS: dict[str, Callable[[Settings, float], Run | None]] = {
@@ -276,16 +260,20 @@ SECOND_WAYS: dict[str, Callable[[Settings, float], Run | None]] = {
         absorbed_drop,
         atom,
         ball_on_floor,
+        ballistic_pendulum,
+        bouncing_ball,
         bullet_block,
         chain,
         cradle,
         growing_drop,
         ions,
         kick,
+        pendulum_block,
         railway_car,
         rocket,
         snowball,
         spheres,
+        super_ball,
         two_blocks,
         wall,
     )

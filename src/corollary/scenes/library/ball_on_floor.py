@@ -9,6 +9,7 @@ from dataclasses import replace
 from corollary.formula.ball import Ball
 from corollary.scenes.collision import ROUNDING, collide
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
+from corollary.scenes.falls_and_swings import EXACT, fallen
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.bounce import bounce, depth_of
 from corollary.scenes.models.certain import Balls, Evaluated, balls, found
@@ -105,11 +106,13 @@ def _observed(
 
 
 def stepped(settings: Settings, tolerance: float) -> Run | None:
-    """The same contact followed in steps, whatever else could be done; none where there is no contact."""
-    m, contact, speed, g = _fallen(settings)
-    if speed == 0.0 or (one(settings, "v0") >= 0.0 and g == 0.0):
+    """The same fall and the same contact followed in steps, whatever else could be done; none where there is no contact."""
+    m, contact, _, g = _fallen(settings)
+    r, y0, v0 = numbers(settings, "R", "y0", "v0")
+    speed = fallen(y0 - r, v0, g)
+    if speed == 0.0 or (v0 >= 0.0 and g == 0.0):
         return None
-    return _damped(m, contact, speed, g, tolerance)
+    return _damped(m, contact, speed, g, tolerance, in_steps=True)
 
 
 def proven(settings: Settings) -> Run:
@@ -125,17 +128,21 @@ def proven(settings: Settings) -> Run:
     return found(enclosed, collisions.PRECISIONS)
 
 
-def _damped(m: float, contact: Contact, speed: float, g: float, tolerance: float) -> Run:
+def _damped(
+    m: float, contact: Contact, speed: float, g: float, tolerance: float, *, in_steps: bool = False
+) -> Run:
     if not math.isfinite(speed):
         raise OverflowError
     deep = depth_of(contact, m, speed, g)
     thick = contact.eta / math.sqrt(contact.k * m * deep ** (contact.q - 1.0))
-    if thick > OVERDAMPED and (contact.q > 1.0 or g > 0.0):
+    if not in_steps and thick > OVERDAMPED and (contact.q > 1.0 or g > 0.0):
         change = 4.0 * math.log(thick) / thick**2 * (m * speed / contact.eta / deep) ** (contact.q - 1.0)
         return _overdamped(m, contact, speed, g, change)
     line = RowOfBodies((math.inf, m), (0.0, -speed), (0.0,), (contact,), weight=g)
-    collided = collide(line, tolerance)
-    result, errors = collided.result, collided.errors
+    collided = collide(line, tolerance, in_steps=in_steps)
+    result = collided.result
+    # In steps the fall is, too.
+    errors = {name: each + EXACT * in_steps for name, each in collided.errors.items()}
     rebound, lasts = result.velocities[1], result.duration if math.isfinite(result.duration) else 0.0
     observed: dict[str, Observed] = {
         "velocities": (rebound,),

@@ -10,8 +10,9 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from corollary.scenes.collision import ROUNDING
+from corollary.scenes.collision import ROUNDING, SAFE
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
+from corollary.scenes.falls_and_swings import swung
 from corollary.scenes.forces.spring import catching
 from corollary.scenes.run import COARSEST, BadSetting, GuardFailed, Observed, Run, by_relative_errors
 
@@ -27,14 +28,15 @@ SETTINGS = (
 LEAST_RELATIVE = 2.3e-14
 # Those that a fading motion remembers, by benchmarks/calibration.py.
 LAST_STEPS = 2.0
+BRAKED = "a block that swings while a dashpot brakes the bullet in it: step by step"
 
 
 @np.errstate(all="ignore")  # what leaves the range of a computer is found in the values
-def play(settings: Settings, tolerance: float) -> Run:
+def play(settings: Settings, tolerance: float, *, in_steps: bool = False) -> Run:
     """Velocities (bullet, block) when the bullet is stuck, height and greatest angle of the swing, energy lost in the hit (J; negative).
 
     The block swings already while the bullet is braked; after dt it is held fast. From then on the rope does no work: energy gives
-    the height, counted from where the block hung.
+    the height, counted from where the block hung. `in_steps` follows that, too, until it turns.
     """
     bullet, block, v, length, g, dt = numbers(settings, "mA", "mB", "v", "L", "g", "dt")
     both = bullet + block
@@ -52,23 +54,45 @@ def play(settings: Settings, tolerance: float) -> Run:
     rough, finer = _held_fast(settings, max(tolerance, 1e-13)), _held_fast(settings, fine)
     (way, speed, spent), angle = finer, finer[0] / length
     risen = 2.0 * length * math.sin(0.5 * angle) ** 2
-    height = risen + speed**2 / (2.0 * g)
+    hot = 0.5 * both * speed**2 + both * g * risen
+    if in_steps:
+        turned, apart = _turned(rough, finer, length, g, tolerance)
+        height, why = 2.0 * length * math.sin(0.5 * turned) ** 2, f"{BRAKED}; and so the rest of the swing"
+    else:
+        height, apart = risen + speed**2 / (2.0 * g), 0.0
+        turned = 2.0 * math.asin(min(1.0, math.sqrt(0.5 * height / length)))
+        why = f"{BRAKED}; then energy for the rest of the swing"
     observed: dict[str, Observed] = {
         "velocities": (speed, speed),
         "height": height,
-        "angle": 2.0 * math.asin(min(1.0, math.sqrt(0.5 * height / length))),
-        "energy_change": both * g * height - 0.5 * bullet * v**2,
+        "angle": turned,
+        "energy_change": hot - 0.5 * bullet * v**2,
     }
     # The height keeps what the way is off by, too, which the speed forgets; of two runs either may be right by chance, and what fades
     # forgets all but the last steps, each off by what it may be.
     off = abs(rough[1] - finer[1]) / common + LAST_STEPS * fine
-    raised = off + math.sin(angle) * abs(rough[0] - way) / height
+    raised = off + math.sin(angle) * abs(rough[0] - way) / height + apart
     errors = dict.fromkeys(observed, 4.0 * ROUNDING + 2.0 * raised) | {
         "velocities": 4.0 * ROUNDING + 2.0 * off
     }
     scales = {"energy_change": 0.5 * bullet * v**2}
-    why = "a block that swings while a dashpot brakes the bullet in it: step by step; then energy for the rest of the swing"
     return by_relative_errors(observed, errors, "integration", why, rough[2] + spent, "sticks", scales)
+
+
+def _turned(
+    rough: tuple[float, float, int],
+    finer: tuple[float, float, int],
+    length: float,
+    g: float,
+    tolerance: float,
+) -> tuple[float, float]:
+    """The angle (rad) at which the block turns, in steps from two runs, and how far they are apart, relatively."""
+    unit, fine = math.sqrt(g * length), max(tolerance / 30.0, 1e-15)
+    coarse, turned = (
+        swung(way / length, speed / unit, each)[0]
+        for (way, speed, _), each in ((rough, max(tolerance, 1e-14)), (finer, fine))
+    )
+    return turned, SAFE * abs(coarse / turned - 1.0) + LAST_STEPS * fine
 
 
 def _held_fast(settings: Settings, tolerance: float) -> tuple[float, float, int]:

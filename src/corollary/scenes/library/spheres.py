@@ -29,13 +29,12 @@ SAFE, LUCK = 3.0, 3e-4  # by benchmarks/calibration.py
 NAMES = ("velocities", "duration", "largest_overlap", "peak_force", "impulse", "energy_ratio")
 
 
-def play(settings: Settings, tolerance: float, *, in_steps: bool = False) -> Run:
+def play(settings: Settings, tolerance: float) -> Run:
     """`velocities` is (A x, A y, B x, B y) once the spheres are apart, `impulse` the one on B.
 
-    Between the start and the touch, and after it, nothing acts: that part is a root of a quadratic, never a step. `in_steps` follows
-    the contact whatever else could be done.
+    Between the start and the touch, and after it, nothing acts: that part is a root of a quadratic, never a step.
     """
-    return collided(pair_of(settings, "spheres"), tolerance, in_steps=in_steps).only(NAMES)
+    return collided(pair_of(settings, "spheres"), tolerance).only(NAMES)
 
 
 def pair_of(settings: Settings, name: str) -> Pair:
@@ -57,10 +56,10 @@ def proven(settings: Settings) -> Run:
     return enclosed.only(NAMES)
 
 
-def collided(pair: Pair, tolerance: float, *, in_steps: bool = False) -> Run:
+def collided(pair: Pair, tolerance: float) -> Run:
     """Everything that can be observed of two spheres, by quadrature or step by step. Raises BadSetting, GuardFailed."""
     met = meet(pair)
-    if met is None or (pair.contact.eta == 0.0 and met.overlap == 0.0 and not in_steps):
+    if met is None or (pair.contact.eta == 0.0 and met.overlap == 0.0):
         return found(lambda: collision(pair))
     parted, error, spent = _twice(pair, met, tolerance)
     why = "damping, or a start inside the contact: one contact followed in its own time"

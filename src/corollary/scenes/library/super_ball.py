@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from corollary.scenes.collision import collide
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
+from corollary.scenes.falls_and_swings import fallen, flight
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
@@ -49,23 +50,23 @@ NO_GAP, BY_NO_GAP = 1e-11, 1e-10
 MOST_FLIGHTS = 1000.0  # of the lower ball before the upper one comes: more take too long
 
 
-def play(settings: Settings, tolerance: float) -> Run:
+def play(settings: Settings, tolerance: float, *, in_steps: bool = False) -> Run:
     """Velocities (lower, upper; up positive) after the last opening, and the height to which the upper ball then rises.
 
     With a gap the lower ball leaves the floor before they meet, as the example supposes; without one all three touch at once and
     the answer is another. Weight during the contacts is left out, unless they are `weighed`; `heights` is counted from the balls'
-    places when the lower one meets the floor.
+    places when the lower one meets the floor. `in_steps` follows the fall, every contact and the rise.
     """
     ma, mb, h0, g, k, q, gap = numbers(settings, "mA", "mB", "h0", "g", "k", "q", "gap")
-    speed = math.sqrt(2.0 * g * h0)
+    speed = fallen(h0, 0.0, g) if in_steps else math.sqrt(2.0 * g * h0)
     line = RowOfBodies((math.inf, ma, mb), (0.0, -speed, -speed), (0.0, gap), (Contact(k, q), Contact(k, q)))
-    found = collide(line, tolerance)
+    found = collide(line, tolerance, in_steps=in_steps)
     if one(settings, "weighed"):
-        return _weighed(line, found.result, g, gap, tolerance)
+        return _weighed(line, found.result, g, gap, tolerance, in_steps=in_steps)
     _, lower, upper = found.result.velocities
     observed: dict[str, Observed] = {
         "velocities": (lower, upper),
-        "heights": (max(lower, 0.0) ** 2 / (2.0 * g), max(upper, 0.0) ** 2 / (2.0 * g)),
+        "heights": tuple(_risen(v, h0, g, in_steps) for v in (lower, upper)),
         "duration": found.result.duration,
         "peak_force": max(found.result.forces),
     }
@@ -80,6 +81,13 @@ def play(settings: Settings, tolerance: float) -> Run:
     )
     # A slow ball makes more of weight, but not of next to none.
     return run if neglected < NO_WEIGHT else _beside_weight(run, line, found.result, g, gap)
+
+
+def _risen(velocity: float, h0: float, g: float, in_steps: bool) -> float:
+    """The height (m) reached with a velocity (m/s); none by a ball that goes down."""
+    if velocity <= 0.0 or not in_steps:
+        return max(velocity, 0.0) ** 2 / (2.0 * g)
+    return h0 * flight(velocity / math.sqrt(g * h0))[0]
 
 
 def _beside_weight(run: Run, line: RowOfBodies, free: RowResult, g: float, gap: float) -> Run:
@@ -100,7 +108,9 @@ def _beside_weight(run: Run, line: RowOfBodies, free: RowResult, g: float, gap: 
     return replace(run, measured=measured, evaluations=run.evaluations + weighed.evaluations)
 
 
-def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance: float) -> Run:
+def _weighed(
+    line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance: float, *, in_steps: bool = False
+) -> Run:
     """The same with weight, followed until all touches are over; `free` is what comes of it without.
 
     Energy gives each height: it does not change as the balls fly on, nor when the floor turns the lower one round again.
@@ -145,7 +155,8 @@ def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance
             "super_ball: with their weight the lower ball catches the upper one up in flight, on an edge. Change a mass a little."
         )
     heights = tuple(
-        y - start + v * v / (2.0 * g) for y, start, v in zip(places, at_touch, velocities, strict=True)
+        y - start + _risen(abs(v), speed**2 / g, g, in_steps)
+        for y, start, v in zip(places, at_touch, velocities, strict=True)
     )
     # From the last opening to the end they flew, and slowed down, freely.
     lasts = components(run.observed["duration"])[0]
