@@ -21,7 +21,7 @@ from corollary.scenes.integrate.regularised import MOST_COMPILED
 from corollary.scenes.integrate.single_contact import MOST_STEPS
 from corollary.scenes.library import spheres
 from corollary.scenes.run import BadSetting
-from corollary.scenes.sound import refuse_tolerance
+from corollary.scenes.sound import refuse_tolerance, said
 
 Array = NDArray[np.float64]
 OUTCOMES = np.array(["released", "missed", "sticks", "refused"])
@@ -62,7 +62,7 @@ def ensemble(name: str, given: Mapping[str, Any], tolerance: float = 1e-9) -> En
 def _settings(name: str, given: Mapping[str, Any]) -> tuple[dict[str, Array], int]:
     """Every setting as an array with a line for each variant, and their number. Raises BadSetting."""
     known = {setting.name: setting for setting in SCENES[name].settings}
-    arrays = {key: np.asarray(value, dtype=float) for key, value in given.items() if key in known}
+    arrays = {key: _numbers(name, key, value) for key, value in given.items() if key in known}
     several = {key for key, a in arrays.items() if a.ndim > known[key].many and key not in ONE_FOR_ALL}
     counts = {len(arrays[key]) for key in several}
     if len(counts) > 1:
@@ -76,6 +76,16 @@ def _settings(name: str, given: Mapping[str, Any]) -> tuple[dict[str, Array], in
         key: arrays[key] if key in several else np.broadcast_to(value, (count, *np.shape(value)))
         for key, value in settled.items()
     }, count
+
+
+def _numbers(name: str, key: str, value: Any) -> Array:
+    """Raises BadSetting for what is no array of numbers that a double holds."""
+    try:
+        return np.asarray(value, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        raise BadSetting(
+            f"{name}: {key} = {said(value)} is no number, and no array of numbers, that a double holds."
+        ) from None
 
 
 def _as_setting(value: Any) -> Any:
