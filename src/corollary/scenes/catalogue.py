@@ -51,8 +51,9 @@ def run(
 ) -> Run:
     """Play a ready-made scene with the least model that answers; what confirms a formula asks for its `second_way`, which shares none.
 
-    By the second way only those values are there that it gives. A `proven` run states bounds only: a motion that is followed in steps
-    is enclosed in balls, to the last place whatever the tolerance, where that is known how; else it is refused.
+    By the second way only those values are there that it gives; what is followed in steps in any case has none, and the same run is
+    given. A `proven` run states bounds only: a motion that is followed in steps is enclosed in balls, to the last place whatever the
+    tolerance, where that is known how; else it is refused.
 
     Settings are in SI; those not given take the chapter's values. `tolerance` is relative to the scene's natural scale. A value that
     no double holds, or that does not exist (how long a contact lasts that never ends), is left out, and a warning says so.
