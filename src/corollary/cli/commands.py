@@ -26,6 +26,7 @@ from corollary.cli.parameters import (
     NEW,
     PAGE,
     PATH,
+    PLAYED,
     PRINTED_AND_MARKED,
     RUNNING,
     SET,
@@ -97,23 +98,7 @@ command(
     "scene",
     "Runs a ready-made scene with the least model that answers, and says which and why. Status 1: the run cannot be followed; "
     "2: a setting is wrong.",
-    click.Argument(
-        ["name"],
-        required=False,
-        help="cradle, ball_on_floor, …; a list of all when left out.",
-        shell_complete=SCENES,
-    ),
-    several("--set", "settings", "A setting in SI: q=1.5, or masses=0.1,0.2,0.1"),
-    click.Option(["--tolerance"], default=1e-12, help="Relative to the scene's natural scale."),
-    flag(
-        "--proven",
-        "State proven bounds of all errors, or say that none can be had; seconds instead of milliseconds.",
-    ),
-    click.Option(
-        ["--settings", "explained"],
-        is_flag=True,
-        help="Play nothing: tell what the scene takes, with units, values when left out, and ranges.",
-    ),
+    *PLAYED,
     JSON,
 )
 command(

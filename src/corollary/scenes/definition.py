@@ -9,7 +9,7 @@ from typing import Any
 
 from corollary.messages import did_you_mean
 from corollary.scenes.run import BadSetting, Observed, Run
-from corollary.scenes.sound import said
+from corollary.scenes.sound import short_text
 
 Settings = Mapping[str, Observed]
 """By name, in SI."""
@@ -103,12 +103,14 @@ def _checked(scene: str, setting: Setting, value: Any) -> Observed:
 
 def _number(scene: str, setting: Setting, value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise BadSetting(f"{scene}: {setting.name} = {said(value)} is not a number ({setting.meaning}).")
+        raise BadSetting(
+            f"{scene}: {setting.name} = {short_text(value)} is not a number ({setting.meaning})."
+        )
     try:
         number = float(value)
     except OverflowError:
         raise BadSetting(
-            f"{scene}: {setting.name} = {said(value)} is beyond the numbers of a computer."
+            f"{scene}: {setting.name} = {short_text(value)} is beyond the numbers of a computer."
         ) from None
     if not math.isfinite(number):
         raise BadSetting(f"{scene}: {setting.name} = {number} is not finite.")

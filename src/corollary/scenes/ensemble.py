@@ -21,7 +21,7 @@ from corollary.scenes.integrate.regularised import MOST_COMPILED
 from corollary.scenes.integrate.single_contact import MOST_STEPS
 from corollary.scenes.library import spheres
 from corollary.scenes.run import BadSetting
-from corollary.scenes.sound import refuse_tolerance, said
+from corollary.scenes.sound import refuse_tolerance, short_text
 
 Array = NDArray[np.float64]
 OUTCOMES = np.array(["released", "missed", "sticks", "refused"])
@@ -84,7 +84,7 @@ def _numbers(name: str, key: str, value: Any) -> Array:
         return np.asarray(value, dtype=float)
     except (TypeError, ValueError, OverflowError):
         raise BadSetting(
-            f"{name}: {key} = {said(value)} is no number, and no array of numbers, that a double holds."
+            f"{name}: {key} = {short_text(value)} is no number, and no array of numbers, that a double holds."
         ) from None
 
 

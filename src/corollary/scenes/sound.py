@@ -33,7 +33,7 @@ class _Short(Repr):
         return f"(a whole number of {math.floor(math.log10(abs(x))) + 1} digits)"
 
 
-said = _Short().repr
+short_text = _Short().repr
 """How a refused value is named: as Python writes it, and no longer than a sentence bears."""
 
 
@@ -139,7 +139,7 @@ def refuse_unsound(scene: str, thing: object) -> None:
         value = getattr(thing, name)
         if (value is None and left_out) or not (wrong := rule(value)):
             continue
-        raise BadSetting(f"{scene}: {type(thing).__name__} with {name} = {said(value)}: {wrong}.")
+        raise BadSetting(f"{scene}: {type(thing).__name__} with {name} = {short_text(value)}: {wrong}.")
 
 
 def refuse_below(
@@ -176,7 +176,7 @@ def size_of(newtons: Any, axes: int, whose: str, time: float) -> float:
     if size is not None:
         return size
     raise GuardFailed(
-        f"{whose} gives {said(newtons)} at {time:.6g} s; it must give a tuple of {axes} real number{'s' * (axes > 1)}."
+        f"{whose} gives {short_text(newtons)} at {time:.6g} s; it must give a tuple of {axes} real number{'s' * (axes > 1)}."
     )
 
 
@@ -184,5 +184,5 @@ def refuse_tolerance(name: str, tolerance: float, least: float = 1e-15, most: fl
     """Raises BadSetting for a tolerance that no scene can hold."""
     if not (finite(tolerance) and least <= tolerance <= most):
         raise BadSetting(
-            f"{name}: a tolerance of {said(tolerance)} cannot be held; ask for a tolerance between {least:g} and {most:g}."
+            f"{name}: a tolerance of {short_text(tolerance)} cannot be held; ask for a tolerance between {least:g} and {most:g}."
         )
