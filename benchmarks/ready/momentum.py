@@ -73,7 +73,7 @@ def of_kick(given: dict[str, Any], _: Run) -> Reference:
     mean = Fraction(1)
     for even in range(power, 1, -2):
         mean *= Fraction(even - 1, even)
-    peak = long(force / mean) * (mp.pi / 2 if power % 2 else 1)
+    peak = long(abs(force) / mean) * (mp.pi / 2 if power % 2 else 1)
     return {
         "velocities": (v0 + force * dt / m,),
         "impulse": (force * dt,),

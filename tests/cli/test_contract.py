@@ -264,6 +264,28 @@ def test_show(tmp_path: Path):
     assert notebook["nbformat"] == 4
 
 
+def test_scenes_and_their_settings_are_listed():
+    every = {each["scene"]: each["meaning"] for each in document("scene")}
+    assert every["kick"] == "a body pushed for a short time by a force of given mean"
+    found = document("scene", "cradle", "--settings")
+    assert (found["scene"], found["meaning"]) == ("cradle", every["cradle"])
+    settings = {each.pop("name"): each for each in found["settings"]}
+    assert settings["N"] == {
+        "meaning": "number of balls",
+        "unit": "1",
+        "default": 3.0,
+        "takes": "2 to 200, a whole number",
+    }
+    assert settings["masses"]["default"] == []
+    assert "  m = 0.1 kg " in run("scene", "cradle", "--settings")[1]
+    assert "ball_on_floor " in run("scene")[1]
+
+
+def test_a_given_beyond_the_doubles_is_printed_as_it_was_given():
+    assert "given (SI): m = 1e+400, v = 20," in run("key", "X12.5", "--set", "m=1e400")[1]
+    assert "given (SI): m = 1.5e-400, v = 20," in run("key", "X12.5", "--set", "m=1.5e-400")[1]
+
+
 def test_scene():
     found = document("scene", "cradle", "--set", "N=3", "--set", "q=1.5", "--tolerance", "1e-10")
     assert {
@@ -304,6 +326,11 @@ def test_scene():
         (("grade", "momentum_1", "--course", "nowhere", "--require-isolation", "9"), "3"),
         (("scene", "nothing"), "nothing"),
         (("scene", "cradle", "--set", "N"), "name=number"),
+        (("scene", "kick", "--set", "F=1", "--set", "F=2"), "F is set twice"),
+        (("scene", "--set", "F=1"), "name a scene"),
+        (("scene", "nothing", "--settings"), "nothing"),
+        (("scene", "kick", "--settings", "--set", "F=1"), "leave out --set"),
+        (("key", "X12.5", "--set", "m=1", "--set", "m=2"), "m is set twice"),
         (("list", "--bank", "/nowhere"), "nowhere"),
         (("key", "X12.5", "--no-such"), ""),
         (("no-such",), ""),

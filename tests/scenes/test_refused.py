@@ -106,6 +106,8 @@ WRONG = [
     ("radius of zero", lambda: alone(body=Body(1.0, (0.0,), (0.0,), -1.0))),
     ("name = ", lambda: alone(body=Body(1.0, (0.0,), (0.0,), name=["A"]))),
     ("spin = nan", lambda: alone(body=Body(1.0, (0.0, 0.0), (0.0, 0.0), 0.1, spin=nan))),
+    (r"mass = \(a whole number of 401 digits\)", lambda: alone(body=Body(10**400, (0.0,), (0.0,)))),
+    (r"until = \(a whole number of 5001 digits\)", lambda: alone(until=10**5000)),
     ("inertia", lambda: alone(body=Body(1.0, (0.0, 0.0), (0.0, 0.0), 0.1, inertia=0.0))),
     ("inertia", lambda: alone(body=Body(1.0, (0.0, 0.0), (0.0, 0.0), 0.1, inertia=-1.0))),
     ("inertia = nan", lambda: alone(body=Body(1.0, (0.0, 0.0), (0.0, 0.0), 0.1, inertia=nan))),

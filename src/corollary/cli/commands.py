@@ -26,6 +26,7 @@ from corollary.cli.parameters import (
     NEW,
     PAGE,
     PATH,
+    PLAYED,
     PRINTED_AND_MARKED,
     RUNNING,
     SET,
@@ -64,7 +65,7 @@ command(
 )
 command(
     "key",
-    "The answer key for given numbers, every digit certified.",
+    "The answer key for given numbers, every digit certified. Status 2: a given is unknown or against the physics.",
     CODE,
     BANK,
     several("--set", "givens", 'A given: m=0.43 (SI) or v="72 km/h"'),
@@ -95,14 +96,9 @@ command(
 )
 command(
     "scene",
-    "Runs a ready-made scene with the least model that answers, and says which and why.",
-    click.Argument(["name"], help="cradle, ball_on_floor, …", shell_complete=SCENES),
-    several("--set", "settings", "A setting in SI: q=1.5, or masses=0.1,0.2,0.1"),
-    click.Option(["--tolerance"], default=1e-12, help="Relative to the scene's natural scale."),
-    flag(
-        "--proven",
-        "State proven bounds of all errors, or say that none can be had; seconds instead of milliseconds.",
-    ),
+    "Runs a ready-made scene with the least model that answers, and says which and why. Status 1: the run cannot be followed; "
+    "2: a setting is wrong.",
+    *PLAYED,
     JSON,
 )
 command(

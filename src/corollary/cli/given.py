@@ -17,6 +17,8 @@ def from_options(sets: list[str]) -> dict[str, str]:
         name, mark, text = option.partition("=")
         if not mark or not name.strip():
             refuse(f'--set {option}: write it as name=value, such as m=0.43 or v="72 km/h"')
+        if name.strip() in values:
+            refuse(f"--set {option}: {name.strip()} is set twice; give it once")
         values[name.strip()] = text
     return values
 

@@ -10,9 +10,10 @@ from corollary.cli.chosen_variant import chosen_variant
 from corollary.cli.ending import HOLDS, answer, refuse, unforeseen
 from corollary.cli.given import from_options, read_cases
 from corollary.derive.solution import Solution
-from corollary.grading.key_record import key_record
+from corollary.formula.ast import Name
+from corollary.grading.key_record import decimal, key_record
 from corollary.problem.bank import home
-from corollary.problem.variant import OutOfRange
+from corollary.problem.variant import OutOfRange, Variant
 from corollary.verify.certificate.record import on_record
 
 
@@ -48,7 +49,7 @@ def run(
         answer(record)
         return HOLDS
     given = ", ".join(
-        f"{name} = {value:g}" if isinstance(value, float) else f"{name} = {value}"
+        f"{name} = {_in_decimal(name, value, numbers)}"
         for name, value in record["given"].items()
         if not problem.given(name).words
     )
@@ -58,6 +59,14 @@ def run(
     if certificate:
         print(f"  proof script {certificate['sha256'][:16]}…, accepted by {certificate['checker']}")
     return HOLDS
+
+
+def _in_decimal(name: str, value: float | str, numbers: Variant) -> str:
+    """A given in SI; one that no double holds (`inf`, or 0 for what is not) in as many digits as it needs, seventeen at most."""
+    if isinstance(value, float) and (value or not numbers.values[name]):
+        return f"{value:g}"
+    digits, _, power = decimal(Name(name), numbers).partition("e")
+    return f"{digits.rstrip('0').rstrip('.')}e{power}" if power else digits
 
 
 def _case(solution: Solution, case: Any) -> dict[str, Any]:

@@ -7,7 +7,17 @@ from typing import Any
 
 import click
 
-from corollary.cli.completion import CODES, CODES_AND_SETS, FORMATS, SETS, STUDENTS, TARGETS, TOPICS, Complete
+from corollary.cli.completion import (
+    CODES,
+    CODES_AND_SETS,
+    FORMATS,
+    SCENES,
+    SETS,
+    STUDENTS,
+    TARGETS,
+    TOPICS,
+    Complete,
+)
 
 # click itself and not typer: to read the options typer loads pydantic, which takes 0.2 s, more than a key does.
 PATH = click.Path(path_type=Path)
@@ -125,6 +135,26 @@ MARKING = (
     several("--set", "given", "Give a mark: ada/X12.11c=1.5"),
     click.Option(
         ["--from", "file"], type=PATH, help="Give marks: a CSV file with student, part, points, comment."
+    ),
+)
+# What of a ready-made scene is played.
+PLAYED = (
+    click.Argument(
+        ["name"],
+        required=False,
+        help="cradle, ball_on_floor, …; a list of all when left out.",
+        shell_complete=SCENES,
+    ),
+    several("--set", "settings", "A setting in SI: q=1.5, or masses=0.1,0.2,0.1"),
+    click.Option(["--tolerance"], default=1e-12, help="Relative to the scene's natural scale."),
+    flag(
+        "--proven",
+        "State proven bounds of all errors, or say that none can be had; seconds instead of milliseconds.",
+    ),
+    click.Option(
+        ["--settings", "explained"],
+        is_flag=True,
+        help="Play nothing: tell what the scene takes, with units, values when left out, and ranges.",
     ),
 )
 # A page on this machine.

@@ -7,14 +7,25 @@ from typing import Any
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
 from corollary.cli.progress import waiting
 from corollary.grading.from_json import finite
+from corollary.scenes.catalogue import SCENES, definition
 from corollary.scenes.catalogue import run as play
 from corollary.scenes.condition import with_conditions
 from corollary.scenes.progress import part, reported_to
 from corollary.scenes.run import GuardFailed, Observed, components
 
 
-def run(name: str, settings: list[str], tolerance: float, proven: bool, as_json: bool) -> int:
-    chosen = dict(_setting(option) for option in settings)
+def run(
+    name: str | None, settings: list[str], tolerance: float, proven: bool, explained: bool, as_json: bool
+) -> int:
+    if name is None:
+        if settings or proven or explained:
+            refuse("name a scene; without a name this lists all there are")
+        return _list(as_json)
+    if explained:
+        if settings or proven:
+            refuse("--settings only tells what the scene takes; leave out --set and --proven")
+        return _explain(name, as_json)
+    chosen = _chosen(settings)
     try:
         with waiting(f"scene {name}") as listener, reported_to(listener):
             with part(0.0, 0.5):
@@ -58,6 +69,52 @@ def run(name: str, settings: list[str], tolerance: float, proven: bool, as_json:
         print(f"  note: {warning}")
     print(f"  {found.evaluations} evaluations, {found.seconds * 1e3:.1f} ms")
     return HOLDS
+
+
+def _list(as_json: bool) -> int:
+    if as_json:
+        answer([{"scene": name, "meaning": SCENES[name].meaning} for name in SCENES])
+        return HOLDS
+    for name in SCENES:
+        print(f"{name:20}{SCENES[name].meaning}")
+    print("\ncorollary scene NAME --settings tells what one takes")
+    return HOLDS
+
+
+def _explain(name: str, as_json: bool) -> int:
+    """Every setting of a scene: what it means, its unit, the value it has when nothing is said, and what it must be."""
+    scene = definition(name)
+    if as_json:
+        settings = [
+            {
+                "name": each.name,
+                "meaning": each.meaning,
+                "unit": each.unit,
+                "default": _number_or_row(each.value),
+                "takes": each.takes,
+            }
+            for each in scene.settings
+        ]
+        answer({"scene": name, "meaning": scene.meaning, "settings": settings})
+        return HOLDS
+    print(f"{name}: {scene.meaning}")
+    for each in scene.settings:
+        unit = "" if each.unit == "1" else f" {each.unit}"
+        usual = ",".join(f"{x:.6g}" for x in components(each.value))
+        usual = f" = {usual}{unit}" if usual else f" [{each.unit}]"
+        print(f"  {each.name + usual:28} {each.meaning}{f' ({each.takes})' if each.takes else ''}")
+    return HOLDS
+
+
+def _chosen(settings: list[str]) -> dict[str, float | tuple[float, ...]]:
+    """Refuses a setting that is given twice."""
+    chosen: dict[str, float | tuple[float, ...]] = {}
+    for option in settings:
+        name, value = _setting(option)
+        if name in chosen:
+            refuse(f"--set {option}: {name} is set twice; give it once")
+        chosen[name] = value
+    return chosen
 
 
 def _setting(option: str) -> tuple[str, float | tuple[float, ...]]:

@@ -88,7 +88,7 @@ def _quantity(find: Unknown, variant: Variant, stated: Answered) -> dict[str, An
         return entry | {"certified": False, "error": finite(max(stated.errors))} | proven
     entry["expression"] = _one(find.in_givens, text, part)
     if not all(map(math.isfinite, numbers)):
-        decimals = [_decimal(tree, variant) for tree in find.in_givens]
+        decimals = [decimal(tree, variant) for tree in find.in_givens]
         return entry | {"certified": False, "decimal": _one(decimals, str, part)}
     rationals = [_rational(tree, variant) for tree in find.in_givens]
     if all(rationals):
@@ -96,8 +96,8 @@ def _quantity(find: Unknown, variant: Variant, stated: Answered) -> dict[str, An
     return entry | {"certified": stated.certified}
 
 
-def _decimal(tree: Expr, variant: Variant) -> str:
-    """A value that doubles cannot hold, rounded: `1.0000000000000000e+400`."""
+def decimal(tree: Expr, variant: Variant) -> str:
+    """A value that doubles cannot hold, in SI, rounded: `1.0000000000000000e+400`. Raises Undefined."""
     return evaluate(tree, variant.exact, BITS).str(FIGURES, radius=False)
 
 

@@ -11,7 +11,7 @@ from numbers import Real
 from corollary.scenes.refused import OWN_FAILS
 from corollary.scenes.run import BadSetting, GuardFailed, Observable, Run, components
 from corollary.scenes.scene import Scene
-from corollary.scenes.sound import refuse_tolerance
+from corollary.scenes.sound import refuse_tolerance, short_text
 
 
 def refuse_question(
@@ -27,7 +27,7 @@ def refuse_question(
     refuse_tolerance(scene.name, tolerance)
     if not _are(times, Real):
         raise BadSetting(
-            f"{scene.name}: times = {times!r} must be a tuple of times in s, (1.0,) with its comma for a single one."
+            f"{scene.name}: times = {short_text(times)} must be a tuple of times in s, (1.0,) with its comma for a single one."
         )
 
 

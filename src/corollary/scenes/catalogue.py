@@ -51,19 +51,16 @@ def run(
 ) -> Run:
     """Play a ready-made scene with the least model that answers; what confirms a formula asks for its `second_way`, which shares none.
 
-    By the second way only those values are there that it gives. A `proven` run states bounds only: a motion that is followed in steps
-    is enclosed in balls, to the last place whatever the tolerance, where that is known how; else it is refused.
+    By the second way only those values are there that it gives; what is followed in steps in any case has none, and the same run is
+    given. A `proven` run states bounds only: a motion that is followed in steps is enclosed in balls, to the last place whatever the
+    tolerance, where that is known how; else it is refused.
 
     Settings are in SI; those not given take the chapter's values. `tolerance` is relative to the scene's natural scale. A value that
     no double holds, or that does not exist (how long a contact lasts that never ends), is left out, and a warning says so.
     Raises BadSetting when a setting is unknown or unphysical, GuardFailed when momentum or energy is not conserved.
     """
-    if name not in SCENES:
-        raise BadSetting(
-            f"There is no scene {name!r}{did_you_mean(name, SCENES)}; there are {', '.join(SCENES)}."
-        )
+    scene = definition(name)
     refuse_tolerance(name, tolerance)
-    scene = SCENES[name]
     settled = settle(name, scene.settings, settings)
     begin = time.perf_counter()
     try:
@@ -78,6 +75,15 @@ def run(
             f"{name}: with these settings numbers leave the range of a computer; choose milder ones."
         ) from None
     return replace(_finite(name, found), scene=name, settings=settled, seconds=time.perf_counter() - begin)
+
+
+def definition(name: str) -> SceneDefinition:
+    """What a ready-made scene is and what it takes. Raises BadSetting where there is none of this name."""
+    if name not in SCENES:
+        raise BadSetting(
+            f"There is no scene {name!r}{did_you_mean(name, SCENES)}; there are {', '.join(SCENES)}."
+        )
+    return SCENES[name]
 
 
 def _enclosed(name: str, scene: SceneDefinition, settings: Mapping[str, Observed], found: Run) -> Run:

@@ -69,7 +69,8 @@ def _by_normal_modes(line: RowOfBodies) -> Collided:
     try:
         result = modal.collide(line)
     except (ArithmeticError, ValueError) as lost:
-        raise GuardFailed(f"These masses are too unequal for normal modes in doubles: {lost}.") from lost
+        why = str(lost).rstrip(".")
+        raise GuardFailed(f"These masses are too unequal for normal modes in doubles: {why}.") from lost
     # Every opening or closing hands its rounding on to what follows, and a light body is thrown to and fro: each time, too.
     thrown = math.sqrt(max(1.0, caught_between(line.masses)))
     sure = ROUNDING * len(line.masses) * max(result.openings, 1) * thrown

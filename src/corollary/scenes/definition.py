@@ -9,6 +9,7 @@ from typing import Any
 
 from corollary.messages import did_you_mean
 from corollary.scenes.run import BadSetting, Observed, Run
+from corollary.scenes.sound import short_text
 
 Settings = Mapping[str, Observed]
 """By name, in SI."""
@@ -33,6 +34,23 @@ class Setting:
     many: bool = False
     below_that: str = ""
     most_that: str = ""
+
+    @property
+    def takes(self) -> str:
+        """What it must be, in words: `more than 0`, `1 to 10, a whole number`, `at least 0; one number, or a row`; nothing where any number will do."""
+        from_to = math.isfinite(self.least) and math.isfinite(self.most)
+        words = [
+            f"{self.least:g} to {self.most:g}" * from_to,
+            f"more than {self.above:g}" * math.isfinite(self.above),
+            f"at least {self.least:g}" * (math.isfinite(self.least) and not from_to),
+            f"less than {self.below:g}" * math.isfinite(self.below),
+            f"at most {self.most:g}" * (math.isfinite(self.most) and not from_to),
+            f"less than {self.below_that}" * bool(self.below_that),
+            f"at most {self.most_that}" * bool(self.most_that),
+            "a whole number" * self.whole,
+        ]
+        row = ["one number, or a row"] * self.many
+        return "; ".join(filter(None, (", ".join(filter(None, words)), *row)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,10 +88,8 @@ def _refuse_misfit(scene: str, setting: Setting, settled: Settings) -> None:
             continue
         value, limit = one(settled, setting.name), one(settled, other)
         if value > limit or (value == limit and other == setting.below_that):
-            unit = "" if setting.unit == "1" else f" {setting.unit}"
-            raise BadSetting(
-                f"{scene}: {setting.name} = {value:g}{unit}, but the {setting.meaning} must be {rule} {other} = {limit:g}{unit}."
-            )
+            rule = f"{rule} {other} = {limit:g}{_unit(setting)}"
+            raise BadSetting(_broken(scene, setting, value, rule))
 
 
 def _checked(scene: str, setting: Setting, value: Any) -> Observed:
@@ -88,13 +104,18 @@ def _checked(scene: str, setting: Setting, value: Any) -> Observed:
 def _number(scene: str, setting: Setting, value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         raise BadSetting(
-            f"{scene}: {setting.name} = {value!r} is not a number; it is the {setting.meaning} in {setting.unit}."
+            f"{scene}: {setting.name} = {short_text(value)} is not a number ({setting.meaning})."
         )
-    number = float(value)
+    try:
+        number = float(value)
+    except OverflowError:
+        raise BadSetting(
+            f"{scene}: {setting.name} = {short_text(value)} is beyond the numbers of a computer."
+        ) from None
     if not math.isfinite(number):
         raise BadSetting(f"{scene}: {setting.name} = {number} is not finite.")
     if setting.whole and number != round(number):
-        raise BadSetting(f"{scene}: {setting.name} = {number:g} must be a whole number.")
+        raise BadSetting(_broken(scene, setting, number, "a whole number"))
     if setting.above < number < setting.below and setting.least <= number <= setting.most:
         return number
     broken = {
@@ -103,8 +124,17 @@ def _number(scene: str, setting: Setting, value: object) -> float:
         f"less than {setting.below:g}": number >= setting.below,
         f"at most {setting.most:g}": number > setting.most,
     }
-    rule, unit = max(broken, key=broken.__getitem__), "" if setting.unit == "1" else f" {setting.unit}"
-    raise BadSetting(f"{scene}: {setting.name} = {number:g}, but the {setting.meaning} must be {rule}{unit}.")
+    rule = max(broken, key=broken.__getitem__)
+    raise BadSetting(_broken(scene, setting, number, f"{rule}{_unit(setting)}"))
+
+
+def _unit(setting: Setting) -> str:
+    return "" if setting.unit == "1" else f" {setting.unit}"
+
+
+def _broken(scene: str, setting: Setting, number: float, rule: str) -> str:
+    """`kick: m = 0 kg must be more than 0 kg (mass of the body).`"""
+    return f"{scene}: {setting.name} = {number:g}{_unit(setting)} must be {rule} ({setting.meaning})."
 
 
 def one(settings: Settings, name: str) -> float:

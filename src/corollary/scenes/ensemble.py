@@ -22,7 +22,7 @@ from corollary.scenes.integrate.regularised import MOST_COMPILED
 from corollary.scenes.integrate.single_contact import MOST_STEPS
 from corollary.scenes.library import spheres
 from corollary.scenes.run import COARSEST, BadSetting
-from corollary.scenes.sound import refuse_tolerance
+from corollary.scenes.sound import refuse_tolerance, short_text
 
 Array = NDArray[np.float64]
 OUTCOMES = np.array(["released", "missed", "sticks", "refused"])
@@ -80,12 +80,13 @@ def _settings(name: str, given: Mapping[str, Any]) -> tuple[dict[str, Array], in
 
 
 def _numbers(name: str, setting: Setting, value: Any) -> Array:
+    """Raises BadSetting for what is no array of numbers that a double holds, or an empty one."""
     try:
         found = np.asarray(value, dtype=float)
-    except (OverflowError, TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError):
         raise BadSetting(
-            f"{name}: {setting.name} must be a number, or an array of numbers ({error})."
-        ) from error
+            f"{name}: {setting.name} = {short_text(value)} is no number, and no array of numbers, that a double holds."
+        ) from None
     if not found.size and setting.value:
         raise BadSetting(f"{name}: {setting.name} is empty; give one value, or one for each variant.")
     return found

@@ -119,7 +119,7 @@ def kick(settings: Settings, tolerance: float) -> Run:
     push = ForceFunction(0, lambda t, x, v: (peak * math.sin(math.pi * min(t / dt, 1.0)) ** power,))
     (after,), (way,), error = _after((Body(m, (0.0,), (v0,)),), (push,), dt, tolerance)
     return second_run(
-        {"velocities": (after,), "impulse": m * (after - v0), "way": way, "peak_force": peak}, error
+        {"velocities": (after,), "impulse": m * (after - v0), "way": way, "peak_force": abs(peak)}, error
     )
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from corollary.scenes.refused import OWN_FAILS
 from corollary.scenes.run import BadSetting, GuardFailed
-from corollary.scenes.sound import size_of
+from corollary.scenes.sound import short_text, size_of
 
 Shift = Callable[[float], tuple[float, float, float]]
 WHEN = (0.1234, 0.3456, 0.5432, 0.7654, 0.9321)
@@ -47,7 +47,7 @@ def _at(scene: str, moves: Shift, time: float) -> tuple[float, float, float]:
         found = moves(time)
         if not math.isfinite(size_of(found, 3, f"{scene}: HardWall(moves=…)", time)):
             raise BadSetting(
-                f"{scene}: HardWall(moves=…) gives {found!r} at {time:.6g} s; it must be finite."
+                f"{scene}: HardWall(moves=…) gives {short_text(found)} at {time:.6g} s; it must be finite."
             )
     except BadSetting:
         raise

@@ -10,7 +10,7 @@ from typing import Any, Protocol, cast
 
 from corollary.scenes.body import Body
 from corollary.scenes.run import BadSetting, GuardFailed
-from corollary.scenes.sound import HOUSE, finite, pairs, refuse_unsound, size_of, whole
+from corollary.scenes.sound import HOUSE, finite, pairs, refuse_unsound, short_text, size_of, whole
 
 WRITTEN_WRONG = (AttributeError, LookupError, NameError, TypeError)
 """What a Python function raises that was written wrong, wherever it is asked."""
@@ -52,9 +52,9 @@ def refuse_parts(scene: Parts, force: type) -> None:
     for each in scene.forces:
         _refuse_values(name, each)
     if scene.passes and (wrong := pairs(scene.passes)):
-        raise BadSetting(f"{name}: passes = {scene.passes!r}: {wrong}.")
+        raise BadSetting(f"{name}: passes = {short_text(scene.passes)}: {wrong}.")
     if scene.until is not None and not (finite(scene.until) and scene.until > 0.0):
-        raise BadSetting(f"{name}: until = {scene.until!r} s must be more than zero, and finite.")
+        raise BadSetting(f"{name}: until = {short_text(scene.until)} s must be more than zero, and finite.")
 
 
 def refuse_misfits(scene: Parts, start: Sequence[float]) -> None:
@@ -100,7 +100,9 @@ def _refuse_nan(scene: str, force: object, name: str) -> None:
     value: object = getattr(force, name)
     numbers = cast("tuple[object, ...]", value) if isinstance(value, tuple) else (value,)
     if any(isinstance(x, float) and math.isnan(x) for x in numbers):
-        raise BadSetting(f"{scene}: {type(force).__name__} with {name} = {value!r}: that is no number.")
+        raise BadSetting(
+            f"{scene}: {type(force).__name__} with {name} = {short_text(value)}: that is no number."
+        )
 
 
 def refuse_own(scene: Parts, force: Any, start: Sequence[float]) -> None:
@@ -110,9 +112,11 @@ def refuse_own(scene: Parts, force: Any, start: Sequence[float]) -> None:
     try:
         for i, newtons in force.act_at(scene, 0.0, start, masses, start):
             if not whole(i) or not 0 <= i < len(masses):
-                raise BadSetting(f"{whose} acts on body {i!r}, which is not there.")
+                raise BadSetting(f"{whose} acts on body {short_text(i)}, which is not there.")
             if not math.isfinite(size_of(newtons, scene.axes, whose, 0.0)):
-                raise BadSetting(f"{whose} gives {newtons!r} at the start; it must be finite there.")
+                raise BadSetting(
+                    f"{whose} gives {short_text(newtons)} at the start; it must be finite there."
+                )
         stored = force.potential(scene, start)
     except BadSetting:
         raise
@@ -123,7 +127,9 @@ def refuse_own(scene: Parts, force: Any, start: Sequence[float]) -> None:
             f"{whose} fails at the start ({type(error).__name__}: {error}); mend it, or start elsewhere."
         ) from error
     if not finite(stored):
-        raise BadSetting(f"{whose} has the potential {stored!r} at the start; it must be a finite number.")
+        raise BadSetting(
+            f"{whose} has the potential {short_text(stored)} at the start; it must be a finite number."
+        )
 
 
 def _refuse_burnt(scene: Parts) -> None:

@@ -52,7 +52,7 @@ MEANING: dict[Observable, str] = {
     Observable.SPINS: "of every body at the end (rad/s, counter-clockwise); zero for bodies that nothing turns",
     Observable.DURATION: "from the moment of the first touch to that of the last opening (s), not counted in samples",
     Observable.LARGEST_OVERLAP: "the largest there is at any moment between any two bodies, none if they never touch (m)",
-    Observable.PEAK_FORCE: "the largest contact force there is at any moment between any two bodies, drag included (N)",
+    Observable.PEAK_FORCE: "the largest contact force there is at any moment between any two bodies, drag included, friction of surfaces left out (N)",
     Observable.ENERGY_RATIO: "kinetic energy at the end over that at the start",
     Observable.TURNING_POINTS: "distances from the origin at which the first body turns back, smallest first (m)",
     Observable.PERIOD: "time between two returns of the first body's distance to its smallest value (s)",

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import fields, is_dataclass
 from functools import lru_cache
 from numbers import Integral, Real
+from reprlib import Repr
 from typing import Any
 
 from corollary.scenes.run import BadSetting, GuardFailed
@@ -15,6 +16,25 @@ HOUSE = __name__.rpartition(".")[0] + "."
 """Modules of this package: what is defined elsewhere is somebody's own."""
 Rule = Callable[[Any], str]
 """What is wrong with a value, in words that follow the name and the value; nothing where it is right."""
+
+
+class _Short(Repr):
+    """Python's short representation, which leaves what a person writes as it is and cuts what nobody would read."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.maxtuple = self.maxlist = self.maxdict = 12
+        self.maxstring = self.maxother = 120
+
+    def repr_int(self, x: int, level: int) -> str:
+        """A whole number of more digits than a double tells is said by their number."""
+        if abs(x) < 10**20:
+            return repr(x)
+        return f"(a whole number of {math.floor(math.log10(abs(x))) + 1} digits)"
+
+
+short_text = _Short().repr
+"""How a refused value is named: as Python writes it, and no longer than a sentence bears."""
 
 
 def finite(number: object) -> bool:
@@ -119,7 +139,7 @@ def refuse_unsound(scene: str, thing: object) -> None:
         value = getattr(thing, name)
         if (value is None and left_out) or not (wrong := rule(value)):
             continue
-        raise BadSetting(f"{scene}: {type(thing).__name__} with {name} = {value!r}: {wrong}.")
+        raise BadSetting(f"{scene}: {type(thing).__name__} with {name} = {short_text(value)}: {wrong}.")
 
 
 def refuse_below(
@@ -156,7 +176,7 @@ def size_of(newtons: Any, axes: int, whose: str, time: float) -> float:
     if size is not None:
         return size
     raise GuardFailed(
-        f"{whose} gives {newtons!r} at {time:.6g} s; it must give a tuple of {axes} real number{'s' * (axes > 1)}."
+        f"{whose} gives {short_text(newtons)} at {time:.6g} s; it must give a tuple of {axes} real number{'s' * (axes > 1)}."
     )
 
 
@@ -164,5 +184,5 @@ def refuse_tolerance(name: str, tolerance: float, least: float = 1e-15, most: fl
     """Raises BadSetting for a tolerance that no scene can hold."""
     if not (finite(tolerance) and least <= tolerance <= most):
         raise BadSetting(
-            f"{name}: a tolerance of {tolerance!r} cannot be held; ask for a tolerance between {least:g} and {most:g}."
+            f"{name}: a tolerance of {short_text(tolerance)} cannot be held; ask for a tolerance between {least:g} and {most:g}."
         )

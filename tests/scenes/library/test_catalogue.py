@@ -11,7 +11,7 @@ from corollary.scenes.catalogue import SCENES, run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.library.ball_on_floor import OVERDAMPED
 from corollary.scenes.models.bounce import depth_of
-from corollary.scenes.run import BadSetting
+from corollary.scenes.run import BadSetting, GuardFailed
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -46,7 +46,15 @@ def test_every_scene_runs_with_the_chapters_values_and_says_how(name):
         ("atom", {"r0": 0.5}, "inside the core"),
         ("chain", {"y": 2.0}, "must be at most L = 1.5 m"),
         ("ions", {"s": 0.08}, "must be less than r0"),
-        ("rocket", {"m1": 2000.0}, "must be at most m0 = 1000 kg"),
+        ("rocket", {"m1": 2000.0}, "rocket: m1 = 2000 kg must be at most m0 = 1000 kg (mass at the end)."),
+        ("snowball", {"M": 0}, "snowball: M = 0 kg must be more than 0 kg (your mass)."),
+        ("atom", {"dimension": 0}, "atom: dimension = 0 must be at least 1 (1 for a line, 2 for a plane)."),
+        (
+            "kick",
+            {"F": 10**400},
+            "kick: F = (a whole number of 401 digits) is beyond the numbers of a computer.",
+        ),
+        ("kick", {"F": "x" * 1000}, "is not a number (time-averaged force)."),
     ],
 )
 @pytest.mark.parametrize("second_way", [False, True])
@@ -55,6 +63,36 @@ def test_what_is_wrong_with_a_setting_is_said_in_a_sentence(name, settings, says
         run(name, settings, second_way=second_way)
     assert says in str(caught.value)
     assert str(caught.value).endswith(".")
+    assert len(str(caught.value)) < 400
+
+
+@pytest.mark.parametrize(
+    ("setting", "takes"),
+    [
+        (("cradle", "N"), "2 to 200, a whole number"),
+        (("cradle", "gaps"), "at least 0; one number, or a row"),
+        (("cradle", "balls_in"), "at least 1, less than N, a whole number"),
+        (("rocket", "m1"), "more than 0, at most m0"),
+        (("snowball", "theta"), "at least 0, less than 1.5708"),
+        (("wall", "theta"), "more than 0, at most 1.5708"),
+        (("kick", "v0"), ""),
+    ],
+)
+def test_a_setting_says_what_it_takes(setting, takes):
+    scene, name = setting
+    assert next(each for each in SCENES[scene].settings if each.name == name).takes == takes
+
+
+@pytest.mark.parametrize("second_way", [False, True])
+def test_the_largest_force_of_a_kick_is_a_size(second_way):
+    forth, back = (run("kick", {"F": push}, second_way=second_way).observed for push in (86.0, -86.0))
+    assert back["peak_force"] == forth["peak_force"] == pytest.approx(43.0 * math.pi)
+    assert back["impulse"] == pytest.approx(-forth["impulse"])
+
+
+def test_masses_too_unequal_for_springs_are_said_in_whole_sentences():
+    with pytest.raises(GuardFailed, match=r"less unequal\.$"):
+        run("cradle", {"masses": (1.0, 1e-9, 1.0)})
 
 
 def test_a_tolerance_nobody_can_keep_is_refused():

@@ -24,7 +24,7 @@ SETTINGS = (
 
 
 def _evaluated(m: Ball, v0: Ball, force: Ball, dt: Ball, power: Ball) -> Evaluated:
-    """Velocity after the push, impulse, greatest force, and the way made meanwhile: Newton's second law, integrated."""
+    """Velocity after the push, impulse, size of the greatest force, and the way made meanwhile: Newton's second law, integrated."""
     whole = round(float(power))
     # The mean of sin^p over half a turn is Gamma((p + 1)/2) / (sqrt(pi) Gamma(p/2 + 1)).
     peak = force * Ball.pi().sqrt() * (power / 2 + 1).gamma() / ((power + 1) / 2).gamma()
@@ -37,7 +37,7 @@ def _evaluated(m: Ball, v0: Ball, force: Ball, dt: Ball, power: Ball) -> Evaluat
     values = {
         "velocities": (v0 + impulse / m,),
         "impulse": impulse,
-        "peak_force": peak,
+        "peak_force": abs(peak),
         "way": v0 * dt + arm / m,
     }
     why = "one body, a force given in time: the velocity is an integral over the force"
