@@ -78,6 +78,19 @@ class Burning(Force):
         return ((0, -1.0), (0, -1.0))
 
 
+def rolling(speed):
+    """Two bodies that nothing moves, 0.8 m from each other's surface; the first comes."""
+    return Body(inf, (0.0,), (speed,), 0.1), Body(inf, (1.0,), (0.0,), 0.1)
+
+
+def askew(speed):
+    """Two bodies 5 m apart; one goes along the line between them, the other across it."""
+    return (
+        Body(1.0, (0.0, 0.0), (0.6 * speed, 0.8 * speed)),
+        Body(1.0, (3.0, 4.0), (-0.8, 0.6)),
+    )
+
+
 WRONG = [
     ("until", lambda: alone(until=inf)),
     ("until", lambda: alone(until=nan)),
@@ -189,6 +202,20 @@ WRONG = [
     ("velocity", lambda: moved(lambda t: (math.sin(9.0 * t), math.cos(9.0 * t), 0.0))),
     ("acceleration", lambda: moved(lambda t: (math.sin(9.0 * t), 9.0 * math.cos(9.0 * t), 0.0))),
     ("acceleration", lambda: moved(lambda t: (4.9 * t * t, 9.8 * t, -9.8))),
+    ("on a line .* nothing turns", lambda: alone(body=Body(1.0, (0.0,), (0.0,), 0.1, spin=2.0))),
+    ("it is a point", lambda: alone(body=Body(1.0, (0.0, 0.0), (0.0, 0.0), spin=2.0))),
+    ("mass = True", lambda: alone(body=Body(True, (0.0,), (0.0,)))),
+    ("velocity = .*finite", lambda: alone(body=Body(1.0, (0.0,), (False,)))),
+    ("g = True", lambda: alone(Weight(True))),
+    ("body = False", lambda: alone(Drag(False, 1.0))),
+    ("until", lambda: alone(until=True)),
+    ("ball has -1 kg", lambda: alone(body=Body(-1.0, (0.0,), (0.0,), name="ball"))),
+    ("body 0 has -1 kg", lambda: alone(body=Body(-1.0, (0.0,), (0.0,)))),
+    ("velocity = 2 and moves", lambda: alone(HardWall((1.0,), moves=lambda t: (0.0,) * 3, velocity=2.0))),
+    ("body 0 and body 1, which .* run into", lambda: Scene(rolling(1.0), (), until=0.81)),
+    ("body 0 and body 1, which .* run into", lambda: Scene(rolling(1.0), (Contact(1e4),), until=2.0)),
+    ("part with 1 m/s", lambda: Scene((ONE, Body(1.0, (1.0,), (2.0,))), (Rod((0, 1)),), until=1.0)),
+    ("near each other with 0.6 m/s", lambda: Scene(askew(0.6), (Rod((0, 1)),), until=1.0)),
     ("cannot be hashed", lambda: alone(Own([(0, (1.0,))]))),
     ("cannot be hashed", lambda: alone(Melting())),
     ("strength = nan", lambda: alone(Own(strength=nan))),
@@ -221,6 +248,13 @@ SOUND = [
     moved(lambda t: (-math.sin(1e5 * t), -1e5 * math.cos(1e5 * t), 1e10 * math.sin(1e5 * t)), until=1e-3),
     push(lambda t, x, v: np.array([-x[0]])),
     push(lambda t, x, v: (0,)),
+    Scene(rolling(1.0), (), until=0.79),
+    Scene(rolling(-1.0), (), until=9.0),
+    Scene(rolling(1.0), (), until=9.0, passes=((1, 0),)),
+    Scene((Body(inf, (0.0, 0.0), (0.0, 0.0), 0.1), Body(inf, (0.2, 0.0), (0.0, 1.0), 0.1)), (), until=1.0),
+    Scene((Body(inf, (0.0, 0.0), (1.0, 0.0), 0.1), Body(inf, (1.0, 0.3), (0.0, 0.0), 0.1)), (), until=2.0),
+    Scene(askew(0.0), (Rod((0, 1)),), until=1.0),
+    alone(body=Body(1.0, (0.0, 0.0), (1.0, 0.0), spin=2.0, inertia=0.1)),
 ]
 
 

@@ -18,7 +18,9 @@ Rule = Callable[[Any], str]
 
 
 def finite(number: object) -> bool:
-    """Whether it is a real number that a double holds."""
+    """Whether it is a real number that a double holds; True and False are none."""
+    if isinstance(number, bool):
+        return False
     try:
         return math.isfinite(number) and (type(number) is float or isinstance(number, Real))  # pyright: ignore[reportArgumentType]
     except (OverflowError, TypeError, ValueError):
@@ -26,8 +28,8 @@ def finite(number: object) -> bool:
 
 
 def whole(number: object) -> bool:
-    """Whether it is a whole number, as those are that bodies are counted with."""
-    return type(number) is int or isinstance(number, Integral)
+    """Whether it is a whole number, as those are that bodies are counted with; True and False are none."""
+    return type(number) is int or (isinstance(number, Integral) and not isinstance(number, bool))
 
 
 def _number(value: Any) -> str:
