@@ -29,7 +29,7 @@ def finite(number: object) -> bool:
 
 def whole(number: object) -> bool:
     """Whether it is a whole number, as those are that bodies are counted with; True and False are none."""
-    return type(number) is int or (isinstance(number, Integral) and not isinstance(number, bool))
+    return not isinstance(number, bool) and (type(number) is int or isinstance(number, Integral))
 
 
 def _number(value: Any) -> str:
