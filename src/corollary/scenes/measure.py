@@ -28,6 +28,8 @@ FINER = 20.0
 """How much finer the run is whose values are given than the one it is compared with."""
 SAFETY = 1.5
 """What the difference of the two is multiplied with: it is the coarser run's error, the finer's is a tenth of it or less."""
+FEWER = 0.65
+"""Of the steps allowed the coarser run may take such a part: the finer, of order eight, takes 20^(1/8) times more, and is not to be begun in vain."""
 FINEST = 2e-14
 COARSEST = 1e-6
 """From here on steps are so long that two runs take the same and cannot tell their error; they cost little less, too."""
@@ -44,12 +46,12 @@ def _paths(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, Traj
     tolerance = min(tolerance, COARSEST)
     fine = max(tolerance / FINER, FINEST)
     with part(0.0, 0.25):
-        rough = follow(scene, max(tolerance, FINER * FINEST))
+        rough = follow(scene, max(tolerance, FINER * FINEST), share=FEWER)
     with part(0.25, 0.7):
         right = follow(scene, fine)
     try:
         with part(0.7, 0.95):
-            other = follow(perturbed(scene), max(tolerance, FINER * FINEST))
+            other = follow(perturbed(scene), max(tolerance, FINER * FINEST), share=FEWER)
     except (BadSetting, GuardFailed):
         other = None
     return rough, right, other

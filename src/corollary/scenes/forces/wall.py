@@ -170,7 +170,7 @@ def _meeting(a: HardWall, b: HardWall, wide: float, until: float) -> float | Non
     slack = 1e-9 * max(abs(a.offset), abs(b.offset), wide)
     if a.moves is None and b.moves is None:
         room, closing = -(a.offset + b.offset) - wide, a.velocity + b.velocity
-        return max(room / closing, 0.0) if closing > 0.0 and closing * until > room + slack else None
+        return max(room / closing, 0.0) if closing > 0.0 and closing * until >= room - slack else None
     for k in range(1, LOOKS + 1):
         time = until * k / LOOKS
         try:
