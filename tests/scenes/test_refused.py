@@ -67,6 +67,13 @@ class Melting(Force):
         return ()
 
 
+class Rooted(Force):
+    """It has no value beyond the origin."""
+
+    def act(self, scene, state, masses, since):
+        yield 0, (-math.sqrt(state[0]) - 1.0,)
+
+
 class Burning(Force):
     """It burns what a body has."""
 
@@ -303,7 +310,9 @@ LATE = [
     (push(lambda t, x, v: ((-x[0] - 1.0) ** 0.5,), body=Body(1.0, (-2.0,), (3.0,))), "real number"),
     (late((1.0, 2.0)), "real number"),
     (late(1.0), "real number"),
-    (late((nan,)), "no step is short enough"),
+    (late((nan,)), "ForceFunction gives nan at 0.5"),
+    (push(lambda t, x, v: (-math.sqrt(x[0]) - 1.0,), body=Body(1.0, (0.1,), (0.0,))), "ValueError: math"),
+    (alone(Rooted(), body=Body(1.0, (0.1,), (0.0,))), r"Rooted fails at 0\.39.*ValueError: math"),
     (push(lambda t, x, v: (0.0,) if t < 0.5 else (x[1],)), "IndexError"),
     (moved(lambda t: (0.0, 0.0, 0.0) if not 0.55 < t < 0.76 else (1j, 0.0, 0.0)), "3 real numbers"),
     (moved(lambda t: (0.0, 0.0, 0.0) if not 0.55 < t < 0.76 else 0.0), "3 real numbers"),
@@ -314,7 +323,7 @@ LATE = [
             (ForceFunction(0, lambda t, x, v: (0.0 if v[0] < 0.0 else nan,)), HardWall((1.0,))),
             until=1.0,
         ),
-        "a force is not a finite number",
+        "ForceFunction gives nan at 0.5 s",
     ),
 ]
 
@@ -324,6 +333,18 @@ def test_a_function_that_fails_on_the_way_is_refused_by_name(scene, says):
     for ask in (lambda: play(scene, V), lambda: composed(scene, {"velocities"}, 1e-10)):
         with pytest.raises(GuardFailed, match=says):
             ask()
+
+
+def test_a_function_may_have_no_value_where_the_body_does_not_go():
+    """Its start is looked at with the times of the whole way, where only the body in motion has a root."""
+    scene = alone(
+        ForceFunction(0, lambda t, x, v: (math.sqrt(x[0] - 2.0 * t),)), body=Body(1.0, (1.0,), (2.0,))
+    )
+    # y = x - 2 t starts at rest from one with the acceleration sqrt(y): its series.
+    found = play(scene, {O.TRAJECTORY}, times=(0.01,))
+    t = 0.01
+    near = 1.0 + 2.0 * t + t**2 / 2.0 + t**4 / 48.0
+    assert found.observed["trajectory"][0] == pytest.approx(near, abs=1e-13)
 
 
 FAR = [

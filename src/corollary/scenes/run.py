@@ -27,6 +27,10 @@ class GuardFailed(ArithmeticError):
     """A run that lost momentum or energy beyond what its accuracy allows; its numbers are not handed out."""
 
 
+class Undefined(GuardFailed):
+    """A function of somebody's own has no value where it was asked; a step that only tries to go there is not taken."""
+
+
 class Observable(Enum):
     """Each is defined so exactly that two programs must agree on it; the value is the name under which a run reports it."""
 

@@ -11,6 +11,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.integrate import DOP853, Radau
 
+from corollary.scenes.motion.failing import refuse_failing
 from corollary.scenes.motion.guards import Guards
 from corollary.scenes.motion.isolation import (
     POINTS,
@@ -98,6 +99,7 @@ class Stepper:
             return 0.02 * part * self.sizes.deep / self.sizes.fast
         gained = max((abs(a) for a in self.system.gains(time, y, y, mode.touching)), default=0.0)
         if not math.isfinite(gained):
+            refuse_failing(self.scene, time, y)
             raise GuardFailed(f"{self.scene.name}: at {time:.6g} s a force is not a finite number.")
         calm = self.sizes.fast / gained if gained else math.inf
         # Where nothing has happened, another method goes on from where the last one had got to.
@@ -112,7 +114,7 @@ class Stepper:
         self.steps += 1
         self.steady += 1
         self.hurried += self.steady <= SOON
-        began = solver.t
+        began, before = solver.t, solver.y.tolist()
         if self.steps > self.most or self.hurried > MOST_HURRIED:
             raise GuardFailed(
                 f"{self.scene.name}: the end was not reached within {self.steps - 1} steps, only {begun + solver.t:.6g} s. "
@@ -126,6 +128,7 @@ class Stepper:
         if isinstance(solver, DOP853) and solver.status != "failed":
             self._hold_down(solver)
         if solver.status == "failed" or not np.isfinite(solver.y).all():
+            refuse_failing(self.scene, begun + began, before)
             raise GuardFailed(
                 f"{self.scene.name}: at {begun + solver.t:.6g} s a force grows without end; no step is short enough."
             )
