@@ -183,6 +183,8 @@ def _natural(scene: Scene, path: Trajectory) -> dict[Observable, float]:
     return {
         Observable.VELOCITIES: fast,
         Observable.TRAJECTORY: long,
+        # What goes through the origin turns nowhere but there: rounding of its places remains.
+        Observable.TURNING_POINTS: long,
         Observable.SPINS: max(
             [abs(b.spin) for b in scene.bodies]
             + [fast / b.radius for b in scene.bodies if b.radius > 0.0 and not math.isinf(b.mass)]

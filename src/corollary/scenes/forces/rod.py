@@ -13,7 +13,7 @@ from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from, start_of
 from corollary.scenes.sound import refuse_below
 
-PARTING = 1e-5
+PARTING = 1e-6
 """A speed along a rod that is such a part of those of its ends is what rounding by hand leaves: it is taken out."""
 
 
