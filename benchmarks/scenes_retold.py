@@ -72,7 +72,23 @@ def composed(rng: Random) -> Scene:
             if len(bodies) > 1 and rng.random() < 0.5
             else _on(rng, rng.choice(loose), axes)
         )
-    return Scene(tuple(bodies), tuple(forces), until=rng.uniform(0.2, 2.0))
+    return Scene(_agreeing(bodies, forces), tuple(forces), until=rng.uniform(0.2, 2.0))
+
+
+def _agreeing(bodies: Sequence[Body], forces: Sequence[Force]) -> tuple[Body, ...]:
+    """The bodies with velocities that their rods allow, one rod after the other until all agree."""
+    found = list(bodies)
+    rods = [force.ends for force in forces if isinstance(force, Rod)]
+    for a, b in rods * 500:
+        loose = [i for i in (a, b) if not math.isinf(found[i].mass)]
+        apart = [x - y for x, y in zip(found[b].place, found[a].place, strict=True)]
+        relative = [v - u for v, u in zip(found[b].velocity, found[a].velocity, strict=True)]
+        share = sum(x * v for x, v in zip(apart, relative, strict=True)) / sum(x * x for x in apart)
+        for i in loose:
+            part = share / len(loose) * (1.0 if i == b else -1.0)
+            moved = tuple(v - part * x for x, v in zip(apart, found[i].velocity, strict=True))
+            found[i] = replace(found[i], velocity=moved)
+    return tuple(found)
 
 
 def _walls(rng: Random, axes: int) -> list[Force]:

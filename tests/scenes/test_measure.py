@@ -2,15 +2,19 @@
 
 import math
 
+import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from corollary.scenes.forces.contact import Contact
+from corollary.scenes.forces.drag import Drag
+from corollary.scenes.forces.wall import HardWall
+from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
 from corollary.scenes.models.bounce import contact_time
 from corollary.scenes.plan import play
-from corollary.scenes.run import BadSetting, Observable
+from corollary.scenes.run import BadSetting, Observable, components
 from corollary.scenes.scene import Body, Scene
 
 MASS, HARD = 0.06, {1.0: 1.4e3, 1.5: 2e4, 3.0: 1.6e11}
@@ -101,3 +105,25 @@ def test_balls_so_soft_that_they_pass_through_each_other_are_refused_by_every_mo
                 play(scene, {asked})
         else:
             assert play(scene, {asked}).outcome in ("released", "bound")
+
+
+@pytest.mark.parametrize("start", [(-1.0,), (-0.7,), (-0.3, -0.7), (-0.1, 0.3)])
+@pytest.mark.parametrize("drag", [0.0, 0.1])
+def test_what_flies_through_the_origin_turns_there_but_for_rounding(start, drag):
+    body = Body(1.0, start, tuple(-x for x in start))
+    found = play(Scene((body,), (Drag(0, drag),), until=2.0), {Observable.TURNING_POINTS})
+    (nearest,), (error,) = found.observed["turning_points"], found.errors["turning_points"]
+    assert nearest <= 0.5 * error < 1e-11
+    assert not found.warnings
+
+
+def test_values_and_errors_are_floats_whatever_numbers_a_scene_is_made_of():
+    given = np.float64(0.06), (np.float64(0.5), np.float32(1.0)), (np.float64(0.3), np.int64(0))
+    wall = Body(math.inf, (np.float64(5.0), np.float64(5.0)), (np.float64(0.1), np.float64(0.2)))
+    scene = Scene(
+        (Body(*given), wall), (Weight(np.float64(9.8)), HardWall((0.0, 1.0))), until=np.float64(0.7)
+    )
+    asked = {o for o in Observable if o is not Observable.PERIOD}
+    found = play(scene, asked, times=(np.float64(0.2),))
+    for each in (*found.observed.values(), *found.errors.values()):
+        assert {type(x) for x in components(each)} <= {float}

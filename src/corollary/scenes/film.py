@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from corollary.scenes.forces.rod import Rod
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Body, Force, Scene, place, start_of, velocity
 
@@ -78,6 +79,7 @@ def film(
     states: list[Sequence[float]] = []
     stored: list[float] = []
     for forces, lasts in acts:
+        cast = _swinging(cast, forces)
         scene = Scene(cast, tuple(forces), until=lasts, name=name)
         path = follow(scene, TOLERANCE)
         happened = {each.time for each in path.happenings if 0.0 < each.time < lasts}
@@ -106,6 +108,21 @@ def film(
         lines=tuple(lines),
         ropes=tuple(ropes),
     )
+
+
+def _swinging(bodies: Sequence[Body], forces: Sequence[Force]) -> tuple[Body, ...]:
+    """The bodies as an act begins: what hangs from a nail by a rod goes across it, whatever it did in the act before."""
+    found = list(bodies)
+    for rod in forces:
+        if not isinstance(rod, Rod) or not math.isinf(bodies[rod.ends[0]].mass):
+            continue
+        nail, body = bodies[rod.ends[0]], found[rod.ends[1]]
+        apart = [x - y for x, y in zip(body.place, nail.place, strict=True)]
+        relative = [v - u for v, u in zip(body.velocity, nail.velocity, strict=True)]
+        share = sum(x * v for x, v in zip(apart, relative, strict=True)) / sum(x * x for x in apart)
+        across = tuple(v - share * x for x, v in zip(apart, body.velocity, strict=True))
+        found[rod.ends[1]] = replace(body, velocity=across)
+    return tuple(found)
 
 
 def _points(bodies: Sequence[Body], state: Sequence[float], half: int, upright: bool) -> Vector:

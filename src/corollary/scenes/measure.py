@@ -31,6 +31,8 @@ FINER = 20.0
 """How much finer the run is whose values are given than the one it is compared with."""
 SAFETY = 1.5
 """What the difference of the two is multiplied with: it is the coarser run's error, the finer's is a tenth of it or less."""
+FEWER = 0.65
+"""Of the steps allowed the coarser run may take such a part: the finer, of order eight, takes 20^(1/8) times more, and is not to be begun in vain."""
 FINEST = 2e-14
 BY_TOUCH = 10.0
 """So many times what a step may be off is what a slight touch, or the root that a parting ends in, has cost: by benchmarks/calibration.py."""
@@ -45,12 +47,12 @@ def _paths(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, Traj
     tolerance = min(tolerance, COARSEST)
     fine = max(tolerance / FINER, FINEST)
     with part(0.0, 0.25):
-        rough = follow(scene, max(tolerance, FINER * FINEST))
+        rough = follow(scene, max(tolerance, FINER * FINEST), share=FEWER)
     with part(0.25, 0.7):
         right = follow(scene, fine)
     try:
         with part(0.7, 0.95):
-            other = follow(perturbed(scene), max(tolerance, FINER * FINEST))
+            other = follow(perturbed(scene), max(tolerance, FINER * FINEST), share=FEWER)
     except (BadSetting, GuardFailed):
         other = None
     return rough, right, other
@@ -183,6 +185,8 @@ def _natural(scene: Scene, path: Trajectory) -> dict[Observable, float]:
     return {
         Observable.VELOCITIES: fast,
         Observable.TRAJECTORY: long,
+        # What goes through the origin turns nowhere but there: rounding of its places remains.
+        Observable.TURNING_POINTS: long,
         Observable.SPINS: max(
             [abs(b.spin) for b in scene.bodies]
             + [fast / b.radius for b in scene.bodies if b.radius > 0.0 and not math.isinf(b.mass)]

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import fields, is_dataclass
 from functools import lru_cache
+from itertools import combinations
 from typing import Any, Protocol, cast
 
 from corollary.scenes.body import Body
@@ -43,18 +44,34 @@ def refuse_parts(scene: Parts, force: type) -> None:
             raise BadSetting(
                 f"{name}: {what} must be a tuple, everything in it a {kind.__name__}: (one,) with its comma, or (one, another)."
             )
-    for body in scene.bodies:
+    for i, body in enumerate(scene.bodies):
         refuse_unsound(name, body)
-        if not body.mass > 0.0 or body.radius < 0.0 or (body.inertia is not None and body.inertia <= 0.0):
-            raise BadSetting(
-                f"{name}: a body needs a mass above zero, a radius of zero or more and an inertia, if it is given, above zero; {body} has not."
-            )
+        _refuse_body(name, body, body.name or f"body {i}")
     for each in scene.forces:
         _refuse_values(name, each)
     if scene.passes and (wrong := pairs(scene.passes)):
         raise BadSetting(f"{name}: passes = {short_text(scene.passes)}: {wrong}.")
     if scene.until is not None and not (finite(scene.until) and scene.until > 0.0):
         raise BadSetting(f"{name}: until = {short_text(scene.until)} s must be more than zero, and finite.")
+
+
+def _refuse_body(scene: str, body: Body, called: str) -> None:
+    """Raises BadSetting for numbers that no body has."""
+    if not body.mass > 0.0:
+        raise BadSetting(f"{scene}: a body needs a mass above zero, but {called} has {body.mass:g} kg.")
+    if body.radius < 0.0:
+        raise BadSetting(
+            f"{scene}: a body needs a radius of zero or more, but {called} has {body.radius:g} m."
+        )
+    if body.inertia is not None and not body.inertia > 0.0:
+        raise BadSetting(f"{scene}: an inertia must be above zero, but {called} has {body.inertia:g} kg m^2.")
+    if body.spin and len(body.place) == 1:
+        raise BadSetting(
+            f"{scene}: {called} has a spin, but on a line (places of one component) nothing turns; "
+            "leave it out, or give places and velocities two components."
+        )
+    if body.spin and not body.radius and body.inertia is None:
+        raise BadSetting(f"{scene}: {called} has a spin, but it is a point: give it a radius or an inertia.")
 
 
 def refuse_misfits(scene: Parts, start: Sequence[float]) -> None:
@@ -71,6 +88,7 @@ def refuse_misfits(scene: Parts, start: Sequence[float]) -> None:
     if any(not 0 <= i < count for pair in scene.passes for i in pair):
         raise BadSetting(f"{name}: passes = {scene.passes} names a body that is not there.")
     _refuse_burnt(scene)
+    _refuse_walls_that_meet(scene)
 
 
 @lru_cache
@@ -143,4 +161,29 @@ def _refuse_burnt(scene: Parts) -> None:
             raise BadSetting(
                 f"{scene.name}: body {i} burns {-rate:g} kg/s of its {mass:g} kg, so that nothing is left at until = {scene.until:g} s; "
                 "watch for a shorter time."
+            )
+
+
+def _refuse_walls_that_meet(scene: Parts) -> None:
+    """Raises BadSetting where two bodies that nothing moves would run into each other before the end."""
+    walls = [(i, body) for i, body in enumerate(scene.bodies) if math.isinf(body.mass)]
+    passing = {(min(pair), max(pair)) for pair in scene.passes}
+    for (i, a), (j, b) in combinations(walls, 2):
+        reach = (a.radius + b.radius) * (1.0 - 1e-9)
+        if scene.until is None or not reach or (i, j) in passing or not math.dist(a.place, b.place) > reach:
+            continue
+        apart = [y - x for x, y in zip(a.place, b.place, strict=True)]
+        relative = [v - u for u, v in zip(a.velocity, b.velocity, strict=True)]
+        square, nearing = (
+            sum(v * v for v in relative),
+            -sum(x * v for x, v in zip(apart, relative, strict=True)),
+        )
+        nearest = min(nearing / square, scene.until) if square else 0.0
+        if (
+            nearing > 0.0
+            and math.hypot(*(x + v * nearest for x, v in zip(apart, relative, strict=True))) < reach
+        ):
+            raise BadSetting(
+                f"{scene.name}: {a.name or f'body {i}'} and {b.name or f'body {j}'}, which nothing moves, run into each other before "
+                f"until = {scene.until:g} s; watch for a shorter time, give them other velocities, or name them in passes=…."
             )

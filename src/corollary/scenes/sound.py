@@ -38,7 +38,9 @@ short_text = _Short().repr
 
 
 def finite(number: object) -> bool:
-    """Whether it is a real number that a double holds."""
+    """Whether it is a real number that a double holds; True and False are none."""
+    if isinstance(number, bool):
+        return False
     try:
         return math.isfinite(number) and (type(number) is float or isinstance(number, Real))  # pyright: ignore[reportArgumentType]
     except (OverflowError, TypeError, ValueError):
@@ -46,8 +48,8 @@ def finite(number: object) -> bool:
 
 
 def whole(number: object) -> bool:
-    """Whether it is a whole number, as those are that bodies are counted with."""
-    return type(number) is int or isinstance(number, Integral)
+    """Whether it is a whole number, as those are that bodies are counted with; True and False are none."""
+    return not isinstance(number, bool) and (type(number) is int or isinstance(number, Integral))
 
 
 def _number(value: Any) -> str:

@@ -8,10 +8,14 @@ from dataclasses import dataclass
 
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.moves import Shift, refuse_moves
+from corollary.scenes.refused import OWN_FAILS
 from corollary.scenes.rows import unit_row
-from corollary.scenes.run import BadSetting
+from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.scene import Conserves, Force, Pushes, Scene, place
 from corollary.scenes.sound import refuse_components, refuse_unsound, size_of
+
+LOOKS = 400
+"""So often two walls that functions move are held against each other."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,11 +45,33 @@ class HardWall(Force):
             raise BadSetting(
                 "HardWall: restitution lies between 0 and 1, mu is zero or more, static not less than mu."
             )
+        if self.velocity and self.moves is not None:
+            raise BadSetting(
+                f"HardWall with velocity = {self.velocity:g} and moves: give one of the two, for moves tells the velocity, too."
+            )
 
     def fits(self, scene: Scene) -> None:
         refuse_components(scene.name, scene.axes, self, "normal")
         if self.moves is not None:
             refuse_moves(scene.name, self.moves, scene.until or 0.0)
+        self._refuse_closing(scene)
+
+    def _refuse_closing(self, scene: Scene) -> None:
+        """Raises BadSetting where this wall and one that faces it leave a body between them no room before the end."""
+        for other in scene.forces:
+            if scene.until is None or not isinstance(other, HardWall) or not _face(self, other):
+                continue
+            both = set(self._bodies(scene)) & set(other._bodies(scene))
+            widest = max(both, key=lambda i: scene.bodies[i].radius, default=None)
+            if widest is None:
+                continue
+            body = scene.bodies[widest]
+            met = _meeting(self, other, 2.0 * body.radius, scene.until)
+            if met is not None:
+                raise BadSetting(
+                    f"{scene.name}: two walls leave {body.name or f'body {widest}'} no room between them from {met:.6g} s on, which it would "
+                    "hit without end; watch for a shorter time, or let them stop before."
+                )
 
     @property
     def held_by(self) -> float:
@@ -127,3 +153,29 @@ class HardWall(Force):
         moving = self.moves is not None or self.velocity != 0.0
         elastic = self.restitution == 1.0 and self.held_by == 0.0 and not moving
         return Conserves.ENERGY if elastic else Conserves.NOTHING
+
+
+def _face(a: HardWall, b: HardWall) -> bool:
+    """Whether two walls face each other."""
+    return len(a.normal) == len(b.normal) and all(
+        abs(x + y) <= 1e-9 for x, y in zip(a.normal, b.normal, strict=True)
+    )
+
+
+def _meeting(a: HardWall, b: HardWall, wide: float, until: float) -> float | None:
+    """When (s) two walls that face each other leave less than `wide` (m) between them, if they do before the end.
+
+    Walls that functions move are looked at a few hundred times.
+    """
+    slack = 1e-9 * max(abs(a.offset), abs(b.offset), wide)
+    if a.moves is None and b.moves is None:
+        room, closing = -(a.offset + b.offset) - wide, a.velocity + b.velocity
+        return max(room / closing, 0.0) if closing > 0.0 and closing * until >= room - slack else None
+    for k in range(1, LOOKS + 1):
+        time = until * k / LOOKS
+        try:
+            if -(a.at(time)[0] + b.at(time)[0]) < wide - slack:
+                return time
+        except (GuardFailed, *OWN_FAILS):  # it is named on the way
+            continue
+    return None

@@ -11,6 +11,7 @@ import numpy as np
 from corollary.scenes.constraint import State
 from corollary.scenes.motion.isolation import POINTS, Array, coefficients
 from corollary.scenes.motion.path import Stretch
+from corollary.scenes.run import Undefined
 from corollary.scenes.scene import Force, Scene
 
 LOOKS = 4000
@@ -29,8 +30,17 @@ def pushed(scene: Scene, start: State) -> float:
     if not forces or scene.until is None:
         return 0.0
     times = [(i + 0.5) * scene.until / GLANCES for i in range(GLANCES)]
-    felt = [[abs(a) for force in forces for a in force.accelerations(scene, t, start, start)] for t in times]
+    felt = [each for t in times if (each := _strengths(scene, forces, t, start)) is not None]
     return max((math.fsum(each) / GLANCES for each in zip(*felt, strict=True)), default=0.0)
+
+
+def _strengths(scene: Scene, forces: list[Force], time: float, start: State) -> list[float] | None:
+    """What they would do then (m/s^2), none where that is not defined: bodies will have gone elsewhere."""
+    try:
+        felt = [abs(a) for force in forces for a in force.accelerations(scene, time, start, start)]
+    except Undefined:
+        return None
+    return felt if all(map(math.isfinite, felt)) else None
 
 
 def overlooked(scene: Scene, stretch: Stretch, fast: float, tolerance: float, may_be_bent: bool) -> bool:

@@ -12,8 +12,9 @@ from corollary.scenes.constraint import farther_off
 from corollary.scenes.motion.brief import overlooked
 from corollary.scenes.motion.ends import hit_in_doubt, refuse_bad_start
 from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, never_meets, used_up
-from corollary.scenes.motion.guards import Guards
+from corollary.scenes.motion.guards import Guard, Guards
 from corollary.scenes.motion.modes import Moment
+from corollary.scenes.motion.pace import MANY, Pace
 from corollary.scenes.motion.path import Happening, Stretch, Trajectory
 from corollary.scenes.motion.sizes import sizes_of
 from corollary.scenes.motion.steps import Stepper
@@ -35,7 +36,7 @@ MOST_AGAIN = 100
 class Follower:
     """A scene followed from its start to `until`, or until nothing touches and nothing will. See `follow`."""
 
-    def __init__(self, scene: Scene, tolerance: float, shift: float = 0.0) -> None:
+    def __init__(self, scene: Scene, tolerance: float, shift: float = 0.0, share: float = 1.0) -> None:
         self.scene, self.tolerance = scene, tolerance
         self.system = System(scene)
         if shift:
@@ -53,7 +54,7 @@ class Follower:
         self.path.near = GRAZING * self.path.allowed
         self.path.fast, self.path.long = self.sizes.fast, self.sizes.long
         self.path.deep = self.sizes.deep if self.system.contacts else math.inf
-        self.steps = Stepper(self.system, self.sizes, tolerance)
+        self.steps, self.pace = Stepper(self.system, self.sizes, tolerance, share), Pace()
         refuse_bad_start(self.system, self.path.state, self.sizes)
         self.energy: float | None = None
 
@@ -194,7 +195,18 @@ class Follower:
         self.path.happenings.append(
             Happening(f"{guard.kind} {guard.number}", self.path.time, len(self.path.stretches), slack)
         )
+        self._refuse_hopeless(guard, speed)
         return self._after(guards, index)
+
+    def _refuse_hopeless(self, guard: Guard, speed: float) -> None:
+        """Raises GuardFailed where happenings come so fast, one after the other, that the end is not reached."""
+        time, left = self.path.time, self._left()
+        self.pace.met(time, self.steps.steps, speed if guard.kind in ("hit", "touch") else None)
+        if left < math.inf and self.pace.hopeless(left, self.steps.left):
+            raise GuardFailed(
+                f"{self.scene.name}: at {time:.6g} s {guard.name} is the last of {MANY} things to happen within {self.pace.lasted:.2g} s, "
+                f"and nothing slows down: the end, {left:.3g} s ahead, is out of reach. Watch for a shorter time."
+            )
 
     def _after(self, guards: Guards, index: int) -> Mode:
         """What follows when a guard has fallen. Raises GuardFailed or BadSetting for what is impossible."""
@@ -264,17 +276,18 @@ class Follower:
             )
 
 
-def follow(scene: Scene, tolerance: float, shift: float = 0.0) -> Trajectory:
+def follow(scene: Scene, tolerance: float, shift: float = 0.0, share: float = 1.0) -> Trajectory:
     """The scene from its start to `until`, or until nothing touches and nothing will.
 
     With `shift` (m) every touch happens that much later, or earlier where it is negative: what a grazing touch depends on.
     `tolerance` is the error allowed to a step, relative to the size of the velocities and of the places (or overlaps) in the scene.
+    It is given up after a `share` of the steps that are allowed.
     With an `until` each step tells how far it has got (`corollary.scenes.progress`).
     Raises BadSetting for a start that is impossible, GuardFailed when energy is lost, bodies overlap without a force, no forces of
     rigid bodies are consistent, or the end is not reached.
     """
     try:
-        return Follower(scene, tolerance, shift).run()
+        return Follower(scene, tolerance, shift, share).run()
     except (OverflowError, ZeroDivisionError, ValueError, np.linalg.LinAlgError) as error:
         if isinstance(error, BadSetting):
             raise

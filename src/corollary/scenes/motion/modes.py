@@ -44,11 +44,14 @@ class Moment:
         self._push_out()
         self._settle_hits()
         mode = self._at_rest(touching, sides) or self._settle_forces(touching, sides)
+        resting: set[int] = set()
         for _ in range(len(self.system.constraints) + 1):
             slow = self._small_bounces(mode)
             if not slow:
                 break
-            self._project(slow, [])
+            # What one is brought to rest by must not set another moving that rests already: two strings would wake each other for ever.
+            resting |= {*slow, *held_in(mode)[0]}
+            self._project(sorted(resting), [])
             mode = self._settle_forces(touching, sides)
         self._project(*held_in(mode))
         if self.before is not None and mode.creeps:

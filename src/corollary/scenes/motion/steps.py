@@ -11,6 +11,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.integrate import DOP853, Radau
 
+from corollary.scenes.motion.failing import refuse_failing
 from corollary.scenes.motion.guards import Guards
 from corollary.scenes.motion.isolation import (
     POINTS,
@@ -25,7 +26,8 @@ from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Mode, Slope, System
 from corollary.scenes.run import GuardFailed
 
-MOST_STEPS = 20_000
+# About a minute's, for all three runs together; and so many of those that follow a happening within as many steps, which cost more.
+MOST_STEPS, MOST_HURRIED, SOON = 60_000, 20_000, 10
 # After so many steps without an event it is asked whether they lead anywhere.
 STEADY = 250
 # From this product of step and rate on, what fades decides how long an explicit step may be: beyond 6.1 it would grow (E. Hairer,
@@ -44,11 +46,12 @@ One = Callable[[float, list[float]], float]
 
 
 class Stepper:
-    """Makes scipy's steps for one scene at one tolerance, and counts them."""
+    """Makes scipy's steps for one scene at one tolerance, and counts them: a `share` of the most is allowed."""
 
-    def __init__(self, system: System, sizes: Sizes, tolerance: float) -> None:
+    def __init__(self, system: System, sizes: Sizes, tolerance: float, share: float = 1.0) -> None:
         self.system, self.scene, self.sizes, self.tolerance = system, system.scene, sizes, tolerance
-        self.steps, self.steady, self.stiff = 0, 0, False
+        self.most = round(share * MOST_STEPS)
+        self.steps, self.hurried, self.steady, self.stiff = 0, 0, 0, False
         self.implicit, self.patience = 0, TRY_AGAIN
         self.held_down, self.rate, self.fades = 0, 0.0, False
         self.seen = [0.0] * 3
@@ -96,6 +99,7 @@ class Stepper:
             return 0.02 * part * self.sizes.deep / self.sizes.fast
         gained = max((abs(a) for a in self.system.gains(time, y, y, mode.touching)), default=0.0)
         if not math.isfinite(gained):
+            refuse_failing(self.scene, time, y)
             raise GuardFailed(f"{self.scene.name}: at {time:.6g} s a force is not a finite number.")
         calm = self.sizes.fast / gained if gained else math.inf
         # Where nothing has happened, another method goes on from where the last one had got to.
@@ -109,10 +113,11 @@ class Stepper:
         """One step. Raises GuardFailed when there have been too many, or none is short enough."""
         self.steps += 1
         self.steady += 1
-        began = solver.t
-        if self.steps > MOST_STEPS:
+        self.hurried += self.steady <= SOON
+        began, before = solver.t, solver.y.tolist()
+        if self.steps > self.most or self.hurried > MOST_HURRIED:
             raise GuardFailed(
-                f"{self.scene.name}: the end was not reached within {MOST_STEPS} steps, only {begun + solver.t:.6g} s. "
+                f"{self.scene.name}: the end was not reached within {self.steps - 1} steps, only {begun + solver.t:.6g} s. "
                 "Watch for a shorter time, or soften what is stiff."
             )
         try:
@@ -123,6 +128,7 @@ class Stepper:
         if isinstance(solver, DOP853) and solver.status != "failed":
             self._hold_down(solver)
         if solver.status == "failed" or not np.isfinite(solver.y).all():
+            refuse_failing(self.scene, begun + began, before)
             raise GuardFailed(
                 f"{self.scene.name}: at {begun + solver.t:.6g} s a force grows without end; no step is short enough."
             )
@@ -161,12 +167,17 @@ class Stepper:
             return False
         # Where a comet passes its star steps are short for a while.
         last = max(last, sum(self.lately) / len(self.lately))
-        if left < (MOST_STEPS - self.steps) * last:
+        if left < self.left * last:
             return False
         raise GuardFailed(
             f"{self.scene.name}: with steps of {last:.2g} s the end, {left:.3g} s ahead, is out of reach. "
-            "Watch for a shorter time, or soften what is stiff."
+            "Watch for a shorter time, or let what swings or fades fastest do so more slowly (soften what is stiff)."
         )
+
+    @property
+    def left(self) -> int:
+        """How many steps may still be made."""
+        return self.most - self.steps
 
     def first_event(self, guards: Guards, stretch: Stretch) -> tuple[int, float] | None:
         """Which guard falls first within a step, and after which part of it."""

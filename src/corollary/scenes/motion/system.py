@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.motion.complementarity import Answer, Item, Status, answer
+from corollary.scenes.refused import is_own
+from corollary.scenes.run import BadSetting, Undefined
 from corollary.scenes.scene import ContactForce, Event, Force, Scene, opposite
 
 Array = NDArray[np.float64]
@@ -257,7 +259,15 @@ class System:
             y: list[float] = state.tolist()
             try:
                 return [*y[self.count : 2 * self.count], *accelerations(begun + time, y)]
-            except (OverflowError, ZeroDivisionError):  # a stage thrown out too far: its step is not taken
+            except (
+                OverflowError,
+                ZeroDivisionError,
+                Undefined,
+            ):  # a stage thrown out too far: its step is not taken
+                return [math.nan] * len(y)
+            except ValueError as error:
+                if isinstance(error, BadSetting) or not any(map(is_own, self.scene.forces)):
+                    raise
                 return [math.nan] * len(y)
 
         def accelerations(time: float, y: list[float]) -> list[float]:

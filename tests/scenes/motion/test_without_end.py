@@ -1,0 +1,153 @@
+"""Happenings without end: those that come to rest are followed to it, those that do not are refused by name."""
+
+import math
+
+import pytest
+
+from corollary.scenes.forces.rod import String
+from corollary.scenes.forces.spring import Spring
+from corollary.scenes.forces.wall import HardWall
+from corollary.scenes.forces.weight import Weight
+from corollary.scenes.motion.follow import Follower, follow
+from corollary.scenes.motion.pace import MANY, Pace
+from corollary.scenes.plan import play
+from corollary.scenes.run import BadSetting, GuardFailed
+from corollary.scenes.run import Observable as O
+from corollary.scenes.scene import Body, Scene
+
+NAIL = Body(math.inf, (0.0,), (0.0,))
+G = 9.8
+
+
+def hung(upper, lower, restitution, until=20.0):
+    """Two balls of 2 kg and 0.7 kg on strings of 1 m and 0.8 m below each other, let go from these places."""
+    strings = String((0, 1), 1.0, restitution), String((1, 2), 0.8, restitution)
+    balls = Body(2.0, (upper,), (0.0,)), Body(0.7, (lower,), (0.0,))
+    return Scene((NAIL, *balls), (*strings, Weight(G)), until=until)
+
+
+@pytest.mark.parametrize("restitution", [0.3, 0.5153, 0.8])
+def test_a_string_that_jerks_below_a_taut_one_comes_to_rest_when_its_bounces_are_over(restitution):
+    path = follow(hung(-1.0, -1.3, restitution), 1e-10)
+    fall = math.sqrt(2.0 * 0.5 / G)  # and each time up and down again a share of it
+    assert path.rests[-1] == pytest.approx(fall * (1.0 + 2.0 * restitution / (1.0 - restitution)), abs=1e-5)
+    assert path.state == pytest.approx((0.0, -1.0, -1.8, 0.0, 0.0, 0.0), abs=1e-9)
+
+
+@pytest.mark.parametrize(("upper", "lower"), [(-0.9, -1.3), (-0.5, -0.6), (-0.2, -0.9)])
+def test_strings_that_jerk_by_turns_come_to_rest_taut_together(upper, lower):
+    found = play(hung(upper, lower, 0.5), {O.VELOCITIES, O.TRAJECTORY}, times=(20.0,))
+    assert found.outcome == "sticks"
+    assert found.observed["trajectory"] == pytest.approx((0.0, -1.0, -1.8), abs=1e-9)
+    assert any("Zeno" in warning for warning in found.warnings)
+
+
+def closing(until, restitution=1.0, radius=0.0):
+    """A ball between a wall that comes with 1 m/s and one at rest, 2 m apart."""
+    walls = HardWall((1.0,), 0.0, restitution, velocity=1.0), HardWall((-1.0,), -2.0, restitution)
+    return Scene((Body(1.0, (1.0,), (0.3,), radius),), walls, until=until)
+
+
+@pytest.mark.parametrize("restitution", [1.0, 0.4, 0.0])
+def test_walls_that_leave_a_ball_no_room_are_refused_as_the_scene_is_made(restitution):
+    with pytest.raises(BadSetting, match="no room between them from 2 s on"):
+        closing(3.0, restitution)
+    with pytest.raises(BadSetting, match=r"no room between them from 1\.5 s on"):
+        closing(1.9, restitution, radius=0.25)
+    with pytest.raises(BadSetting, match="no room"):
+        closing(2.0, restitution)
+    assert play(closing(1.4, restitution), {O.VELOCITIES}).observed["velocities"]
+
+
+def test_so_are_walls_that_functions_move():
+    def swings(t):
+        return 2.0 * math.sin(t), 2.0 * math.cos(t), -2.0 * math.sin(t)
+
+    def made(until, only=()):
+        walls = HardWall((0.0, 1.0), moves=swings), HardWall((0.0, -1.0), -1.9, only=only)
+        return Scene(
+            (Body(1.0, (0.0, 0.5), (0.0, 0.3)), Body(1.0, (1.0, 0.6), (0.0, 0.0))), walls, until=until
+        )
+
+    with pytest.raises(BadSetting, match=r"leave body \d no room"):
+        made(2.0)
+    made(1.0)
+    for only in ((0,), (1,)):
+        with pytest.raises(BadSetting, match=f"leave body {only[0]} no room"):
+            made(2.0, only)
+
+
+def test_a_corner_that_closes_is_refused_while_the_ball_still_hits_its_walls():
+    c, s = math.cos(0.3), math.sin(0.3)
+    roof = HardWall((s, -c), -c), HardWall((-s, -c), -c)
+    floor = HardWall((0.0, 1.0), velocity=0.5)
+    follower = Follower(Scene((Body(1.0, (0.05, 0.2), (1.0, 0.7)),), (floor, *roof), until=3.0), 1e-10)
+    with pytest.raises(
+        GuardFailed, match=r"at the wall is the last of .* nothing slows down: .* out of reach"
+    ):
+        follower.run()
+    assert len(follower.path.happenings) < 5 * MANY
+
+
+def paced(between, speed, steps=3):
+    """Happenings between which passes and that hit with what two functions of their number say."""
+    pace, time = Pace(), 0.0
+    for i in range(2 * MANY + 1):
+        time += between(i)
+        pace.met(time, steps * i, speed(i))
+    return pace
+
+
+@pytest.mark.parametrize(
+    ("between", "speed", "hopeless"),
+    [
+        (lambda i: 1e-6, lambda i: 1.0, True),
+        (lambda i: 1e-6, lambda i: None, True),
+        (lambda i: 0.9**i, lambda i: 1.0, True),
+        (lambda i: 1.0 / (1 + i) ** 2, lambda i: 1.0 + i, True),
+        (lambda i: 0.99**i, lambda i: 0.99**i, False),
+        (lambda i: 1e-6, lambda i: 0.99**i, False),
+        (lambda i: 0.01, lambda i: 1.0, False),
+    ],
+)
+def test_a_pace_at_which_the_end_is_not_reached_is_told_from_bounces_that_die_away(between, speed, hopeless):
+    pace = paced(between, speed)
+    assert pace.hopeless(10.0, 5000) == hopeless
+    assert not pace.hopeless(1e-9, 5000)
+
+
+def test_nothing_is_said_of_a_few_happenings():
+    pace = Pace()
+    for i in range(2 * MANY):
+        pace.met(1e-9 * i, i, 1.0)
+    assert not pace.hopeless(1e9, 10)
+
+
+def swings(until):
+    """An oscillator of 10 rad/s."""
+    return Scene((NAIL, Body(1.0, (1.3,), (0.0,))), (Spring((0, 1), 100.0, 1.0),), until=until)
+
+
+def test_a_hundred_swings_are_known_as_well_as_is_stated():
+    until = 20.0 * math.pi + 0.03
+    found = play(swings(until), {O.VELOCITIES, O.TRAJECTORY}, times=(until,))
+    x, v = 1.0 + 0.3 * math.cos(10.0 * until), -3.0 * math.sin(10.0 * until)
+    for name, truth, size in (("trajectory", x, 0.3), ("velocities", v, 3.0)):
+        assert abs(found.observed[name][1] - truth) <= found.errors[name][1] <= 1e-6 * size
+
+
+@pytest.mark.parametrize(("until", "reached"), [(1200.0, True), (3000.0, False)])
+def test_two_thousand_swings_are_within_reach(until, reached):
+    """Only whether it is given up is looked at, after the first steps: to the end it is most of a minute."""
+    follower = Follower(swings(until), 1e-10, share=0.65)
+    advance, taken = follower.steps.advance, []
+
+    def counted(solver, begun):
+        advance(solver, begun)
+        taken.append(solver.t)
+        if len(taken) == 600:
+            raise GuardFailed("enough")
+
+    follower.steps.advance = counted
+    with pytest.raises(GuardFailed, match="enough" if reached else "out of reach.*shorter time"):
+        follower.run()
