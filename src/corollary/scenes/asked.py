@@ -9,7 +9,7 @@ from dataclasses import replace
 from numbers import Real
 
 from corollary.scenes.refused import OWN_FAILS
-from corollary.scenes.run import BadSetting, GuardFailed, Observable, Run, components
+from corollary.scenes.run import BadSetting, GuardFailed, Measurement, Observable, Run, components
 from corollary.scenes.scene import Scene
 from corollary.scenes.sound import refuse_tolerance, short_text
 
@@ -55,10 +55,11 @@ def within_range(scene: Scene) -> Generator[None]:
 
 
 def within_doubles(scene: Scene, run: Run) -> Run:
-    """Without the values that no double holds, and with a warning for each. Raises BadSetting when none is left.
+    """In floats of Python's own, without the values that no double holds, and with a warning for each. Raises BadSetting when none is left.
 
     How long a contact lasts that never ends, and how many times the energy grows of what was at rest, is infinite for another reason.
     """
+    run = replace(run, measured={name: _in_floats(each) for name, each in run.measured.items()})
     mean = {Observable.DURATION.value, Observable.ENERGY_RATIO.value}
     lost = [
         name
@@ -74,3 +75,11 @@ def within_doubles(scene: Scene, run: Run) -> Run:
     warnings = tuple(f"{name} is beyond the numbers of a computer." for name in lost)
     finite = {name: each for name, each in run.measured.items() if name not in lost}
     return replace(run, measured=finite, warnings=(*run.warnings, *warnings))
+
+
+def _in_floats(each: Measurement) -> Measurement:
+    value, error = (
+        tuple(map(float, given)) if isinstance(given, tuple) else float(given)
+        for given in (each.value, each.error)
+    )
+    return replace(each, value=value, error=error, size=float(each.size))

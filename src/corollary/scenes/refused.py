@@ -10,7 +10,7 @@ from itertools import combinations
 from typing import Any, Protocol, cast
 
 from corollary.scenes.body import Body
-from corollary.scenes.run import BadSetting, GuardFailed
+from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.sound import HOUSE, finite, pairs, refuse_unsound, short_text, size_of, whole
 
 WRITTEN_WRONG = (AttributeError, LookupError, NameError, TypeError)
@@ -138,7 +138,7 @@ def refuse_own(scene: Parts, force: Any, start: Sequence[float]) -> None:
         stored = force.potential(scene, start)
     except BadSetting:
         raise
-    except GuardFailed as error:
+    except (GuardFailed, NoForce) as error:
         raise BadSetting(str(error)) from error.__cause__  # what the function itself raised, if it did
     except OWN_FAILS as error:
         raise BadSetting(

@@ -30,7 +30,7 @@ class GuardFailed(ArithmeticError):
     """A run that lost momentum or energy beyond what its accuracy allows; its numbers are not handed out."""
 
 
-class Undefined(GuardFailed):
+class NoForce(ArithmeticError):
     """A function of somebody's own has no value where it was asked; a step that only tries to go there is not taken."""
 
 
@@ -75,7 +75,7 @@ class Measurement:
     `error` is absolute, in the value's own unit, one for each of its components. `error_is` says whether it is proven ("bound") or
     found by comparing runs ("estimate"). `size` is what a relative error refers to: the largest component, or the scene's natural
     scale where that is larger. `condition` says how much larger a small change of the data comes out in the value, both relative to their
-    size; none where it was not looked for. All become plain floats, whatever they came as. Raises GuardFailed for a value that is not a number.
+    size; none where it was not looked for. Raises GuardFailed for a value that is not a number.
     """
 
     value: Observed
@@ -87,8 +87,6 @@ class Measurement:
     condition: float | None = None
 
     def __post_init__(self) -> None:
-        for name in ("value", "error", "size"):
-            object.__setattr__(self, name, _plain(getattr(self, name)))
         if any(map(math.isnan, (*components(self.value), *components(self.error)))):
             raise GuardFailed("What came out is not a number: these settings are beyond what doubles hold.")
 
@@ -159,11 +157,6 @@ class Run:
     def only(self, names: Iterable[str]) -> Run:
         """The same run, with some of its values; those that it has not (the duration of a contact that never ends) are left out."""
         return replace(self, measured={name: self.measured[name] for name in names if name in self.measured})
-
-
-def _plain(value: Observed) -> Observed:
-    """The same in floats of Python's own, not of numpy's."""
-    return tuple(map(float, value)) if isinstance(value, tuple) else float(value)
 
 
 def components(value: Observed) -> tuple[float, ...]:

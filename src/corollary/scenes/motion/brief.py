@@ -11,7 +11,7 @@ import numpy as np
 from corollary.scenes.constraint import State
 from corollary.scenes.motion.isolation import POINTS, Array, coefficients
 from corollary.scenes.motion.path import Stretch
-from corollary.scenes.run import Undefined
+from corollary.scenes.run import NoForce
 from corollary.scenes.scene import Force, Scene
 
 LOOKS = 4000
@@ -38,7 +38,7 @@ def _strengths(scene: Scene, forces: list[Force], time: float, start: State) -> 
     """What they would do then (m/s^2), none where that is not defined: bodies will have gone elsewhere."""
     try:
         felt = [abs(a) for force in forces for a in force.accelerations(scene, time, start, start)]
-    except Undefined:
+    except NoForce:
         return None
     return felt if all(map(math.isfinite, felt)) else None
 

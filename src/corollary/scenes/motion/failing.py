@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from corollary.scenes.constraint import State
-from corollary.scenes.run import GuardFailed, Undefined
+from corollary.scenes.run import GuardFailed, NoForce
 from corollary.scenes.scene import Scene
 
 AHEAD = 1e-6
@@ -19,8 +19,8 @@ def refuse_failing(scene: Scene, time: float, state: State) -> None:
         for force in (force for force in scene.forces if force.may_be_brief):
             try:
                 given = list(force.accelerations(scene, when, y, y))
-            except Undefined:
-                raise
+            except NoForce as error:
+                raise GuardFailed(str(error)) from error
             except (ArithmeticError, ValueError) as error:
                 if isinstance(error, GuardFailed):
                     raise

@@ -20,7 +20,7 @@ from corollary.scenes.motion.sizes import sizes_of
 from corollary.scenes.motion.steps import Stepper
 from corollary.scenes.motion.system import Mode, Slope, System
 from corollary.scenes.progress import tell
-from corollary.scenes.run import BadSetting, GuardFailed
+from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.scene import Scene, overlap, start_of
 
 # A touch that errors of so many steps decide grazes.
@@ -288,6 +288,8 @@ def follow(scene: Scene, tolerance: float, shift: float = 0.0, share: float = 1.
     """
     try:
         return Follower(scene, tolerance, shift, share).run()
+    except NoForce as error:
+        raise GuardFailed(str(error)) from error
     except (OverflowError, ZeroDivisionError, ValueError, np.linalg.LinAlgError) as error:
         if isinstance(error, BadSetting):
             raise

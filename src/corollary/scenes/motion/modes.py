@@ -49,7 +49,7 @@ class Moment:
             slow = self._small_bounces(mode)
             if not slow:
                 break
-            # What one is brought to rest by must not set another moving that rests already: two strings would wake each other for ever.
+            # What brings one to rest must not set another moving: two strings would wake each other for ever.
             resting |= {*slow, *held_in(mode)[0]}
             self._project(sorted(resting), [])
             mode = self._settle_forces(touching, sides)
@@ -61,24 +61,20 @@ class Moment:
 
     def _push_out(self) -> None:
         """Places that rounding left a little behind what stops them are put upon it."""
-        inverse = self.system.inverse(self.time)
+        inverse, count = self.system.inverse(self.time), self.system.count
         for i in self._near():
             c = self.system.constraints[i]
-            gap = c.gap(self.time, self.y)
-            if gap < 0.0 and not c.two_sided:
+            if (gap := c.gap(self.time, self.y)) < 0.0 and not c.two_sided:
                 row = np.array(c.row(self.time, self.y))
-                row[self.system.count :] = 0.0
+                row[count:] = 0.0
                 moved = inverse * row * (gap / float((row * inverse) @ row))
-                for j, x in enumerate(moved.tolist()[: self.system.count]):
+                for j, x in enumerate(moved.tolist()[:count]):
                     self.y[j] -= x
 
     def _near(self) -> list[int]:
         """The constraints whose gap is closed."""
-        return [
-            i
-            for i, c in enumerate(self.system.constraints)
-            if c.two_sided or c.gap(self.time, self.y) <= self.sizes.gap
-        ]
+        known = enumerate(self.system.constraints)
+        return [i for i, c in known if c.two_sided or c.gap(self.time, self.y) <= self.sizes.gap]
 
     def _rate(self, i: int) -> float:
         return self.system.rate(self.time, self.y, self.system.constraints[i])

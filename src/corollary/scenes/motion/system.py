@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.motion.complementarity import Answer, Item, Status, answer
 from corollary.scenes.refused import is_own
-from corollary.scenes.run import BadSetting, Undefined
+from corollary.scenes.run import BadSetting, NoForce
 from corollary.scenes.scene import ContactForce, Event, Force, Scene, opposite
 
 Array = NDArray[np.float64]
@@ -262,7 +262,7 @@ class System:
             except (
                 OverflowError,
                 ZeroDivisionError,
-                Undefined,
+                NoForce,
             ):  # a stage thrown out too far: its step is not taken
                 return [math.nan] * len(y)
             except ValueError as error:
