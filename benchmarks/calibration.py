@@ -123,8 +123,9 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=math.inf)
     parser.add_argument("--anew", action="store_true")
     asked = parser.parse_args()
-    tallies = {} if asked.anew or not COUNTED.exists() else json.loads(COUNTED.read_text(encoding="utf-8"))
-    tallies = {name: Tally(**tally) for name, tally in tallies.items()}
+    counted = json.loads(COUNTED.read_text(encoding="utf-8")) if COUNTED.exists() else {}
+    anew = {name for name in counted if asked.anew and asked.family in (None, name)}
+    tallies = {name: Tally(**tally) for name, tally in counted.items() if name not in anew}
     left = asked.seconds
     for family in FAMILIES:
         if asked.family in (None, family.name):

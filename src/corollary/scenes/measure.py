@@ -17,6 +17,7 @@ from corollary.scenes.perturbation import CHANGED, perturbed
 from corollary.scenes.progress import part
 from corollary.scenes.run import (
     COARSEST,
+    FINER,
     BadSetting,
     GuardFailed,
     Measurement,
@@ -27,8 +28,6 @@ from corollary.scenes.run import (
 )
 from corollary.scenes.scene import Scene, place, start_of, velocity
 
-FINER = 20.0
-"""How much finer the run is whose values are given than the one it is compared with."""
 SAFETY = 1.5
 """What the difference of the two is multiplied with: it is the coarser run's error, the finer's is a tenth of it or less."""
 FEWER = 0.65

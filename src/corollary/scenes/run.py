@@ -19,6 +19,9 @@ DEARER: tuple[Model, ...] = ("conservation", "quadrature", "piecewise exact", "i
 COARSEST = 1e-6
 """Beyond this tolerance steps are so long that two runs take the same and cannot tell their error; they cost little less, too."""
 
+FINER = 20.0
+"""How much finer that run of a scene of one's own is whose values are given than the one it is compared with."""
+
 NEVER_PART = "They never part: the contact has no duration."
 
 

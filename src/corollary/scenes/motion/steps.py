@@ -24,7 +24,7 @@ from corollary.scenes.motion.isolation import (
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Mode, Slope, System
-from corollary.scenes.run import GuardFailed
+from corollary.scenes.run import FINER, GuardFailed
 
 # About a minute's, for all three runs together; and so many of those that follow a happening within as many steps, which cost more.
 MOST_STEPS, MOST_HURRIED, SOON = 60_000, 20_000, 10
@@ -106,7 +106,7 @@ class Stepper:
         known = min(10.0 * self.lately[-1] if self.lately else math.inf, self.at_most)
         self.at_most = math.inf
         # Steps grow tenfold as long as their errors allow it: two runs that began alike would take the same ones, and share their errors.
-        own = 0.01 * APART ** (math.log(self.tolerance) / math.log(20.0) % 2.0)
+        own = 0.01 * APART ** (math.log(self.tolerance) / math.log(FINER) % 2.0)
         return min(own * calm, own * self.sizes.long / self.sizes.fast, known)
 
     def advance(self, solver: DOP853 | Radau, begun: float) -> None:
