@@ -6,9 +6,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from corollary.grading.programs.fixed_step import RK4
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.fixed_step import RK4
 from corollary.scenes.integrate.runge_kutta import Tableau
 from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.models.pair import Pair, after_parting, meet

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from corollary.scenes.integrate.fixed_step import Method, march
+from corollary.grading.programs.fixed_step import Method, march
 
 from .case import Answer, Case, Route
 from .methods import METHODS

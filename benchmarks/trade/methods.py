@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from corollary.scenes.integrate.fixed_step import EULER_CROMER, RK4, Method, Splitting
+from corollary.grading.programs.fixed_step import EULER_CROMER, RK4, Method, Splitting
 
 
 def composed(order: int, outer: Sequence[float]) -> Splitting:

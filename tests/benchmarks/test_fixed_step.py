@@ -6,7 +6,7 @@ from itertools import pairwise
 import pytest
 from trade.methods import METHODS
 
-from corollary.scenes.integrate.fixed_step import march
+from corollary.grading.programs.fixed_step import march
 
 
 def pendulum(x, v):

@@ -15,9 +15,9 @@ from trade.phases import through
 from trade.race import Timing, WorkPrecision, cases, race
 from trade.record import record
 
+from corollary.grading.programs.fixed_step import RK4
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.fixed_step import RK4
 from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.models.pair import meet
 

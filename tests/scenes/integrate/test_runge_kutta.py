@@ -4,8 +4,8 @@ import math
 
 import pytest
 
+from corollary.grading.programs.fixed_step import RK4
 from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.fixed_step import RK4
 from corollary.scenes.integrate.runge_kutta import step
 
 

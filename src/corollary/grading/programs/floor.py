@@ -24,9 +24,9 @@ from corollary.grading.programs.convergence import (
     measured,
     miscounted,
 )
+from corollary.grading.programs.fixed_step import EULER_CROMER, march
 from corollary.messages import N_, catalogue
 from corollary.scenes.catalogue import run
-from corollary.scenes.integrate.fixed_step import EULER_CROMER, march
 
 _ = catalogue(__name__)
 

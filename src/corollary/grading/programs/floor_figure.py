@@ -14,11 +14,11 @@ import numpy as np
 from corollary.derive.statements import Doubt, Fault
 from corollary.grading.programs.convergence import Given
 from corollary.grading.programs.curves import DrawnCurve, Graph, Numbers
+from corollary.grading.programs.fixed_step import RK4, march
 from corollary.grading.programs.floor import ARGUMENTS, reference
 from corollary.grading.programs.panels import Axis, Panel, judge_panels
 from corollary.messages import catalogue
 from corollary.sandbox.result import Axes
-from corollary.scenes.integrate.fixed_step import RK4, march
 
 _ = catalogue(__name__)
 

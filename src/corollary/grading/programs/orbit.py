@@ -21,8 +21,8 @@ from corollary.grading.programs.convergence import (
     measured,
     miscounted,
 )
+from corollary.grading.programs.fixed_step import EULER, EULER_CROMER, RK4, Path, march
 from corollary.messages import catalogue
-from corollary.scenes.integrate.fixed_step import EULER, EULER_CROMER, RK4, Path, march
 
 _ = catalogue(__name__)
 

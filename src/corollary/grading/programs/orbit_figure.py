@@ -13,12 +13,12 @@ import numpy as np
 
 from corollary.derive.statements import Doubt, Fault
 from corollary.grading.programs.curves import NEAR, OFFSETS, DrawnCurve, Graph, Numbers, covers, near_all
+from corollary.grading.programs.fixed_step import RK4, march
 from corollary.grading.programs.orbit import Pull
 from corollary.grading.programs.panels import Axis, Panel, judge_panels
 from corollary.messages import catalogue
 from corollary.sandbox.result import Axes
 from corollary.scenes.catalogue import run
-from corollary.scenes.integrate.fixed_step import RK4, march
 
 _ = catalogue(__name__)
 

@@ -24,9 +24,9 @@ from corollary.grading.programs.convergence import (
     measured,
     miscounted,
 )
+from corollary.grading.programs.fixed_step import EULER, EULER_CROMER, march, states
 from corollary.messages import N_, catalogue, in_convention
 from corollary.scenes.catalogue import run
-from corollary.scenes.integrate.fixed_step import EULER, EULER_CROMER, march, states
 from corollary.scenes.models.bounce import contact_time
 
 _ = catalogue(__name__)

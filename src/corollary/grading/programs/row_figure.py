@@ -11,12 +11,12 @@ import numpy as np
 from corollary.derive.statements import Doubt, Fault
 from corollary.grading.programs.convergence import Called, Given
 from corollary.grading.programs.curves import DrawnCurve, Graph, Numbers
+from corollary.grading.programs.fixed_step import RK4, march
 from corollary.grading.programs.panels import Axis, Panel, judge_panels
 from corollary.grading.programs.row import pushed
 from corollary.messages import catalogue, in_convention
 from corollary.sandbox.result import Axes
 from corollary.scenes.catalogue import run
-from corollary.scenes.integrate.fixed_step import RK4, march
 from corollary.scenes.models.bounce import contact_time
 
 _ = catalogue(__name__)

@@ -10,11 +10,11 @@ import numpy as np
 from corollary.derive.statements import Doubt, Fault
 from corollary.grading.programs.convergence import Inputs
 from corollary.grading.programs.curves import DrawnCurve, Graph, Numbers, PlanePath
+from corollary.grading.programs.fixed_step import RK4, march
 from corollary.grading.programs.panels import Axis, Panel, judge_panels
 from corollary.grading.programs.spheres import contact_of, sphere_force
 from corollary.messages import catalogue, in_convention
 from corollary.sandbox.result import Axes
-from corollary.scenes.integrate.fixed_step import RK4, march
 
 _ = catalogue(__name__)
 

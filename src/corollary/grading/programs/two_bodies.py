@@ -15,8 +15,8 @@ from corollary.grading.programs.convergence import (
     measured,
     miscounted,
 )
+from corollary.grading.programs.fixed_step import EULER, EULER_CROMER, RK4, Method, march
 from corollary.messages import N_, catalogue
-from corollary.scenes.integrate.fixed_step import EULER, EULER_CROMER, RK4, Method, march
 
 _ = catalogue(__name__)
 

@@ -1,1 +1,1 @@
-"""Methods that step a motion forward in time, as tables of coefficients and the small engines that run them."""
+"""Methods that step a motion forward in time: tables of coefficients, kernels, and the rows and contacts they follow."""
