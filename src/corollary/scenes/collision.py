@@ -19,7 +19,7 @@ from corollary.scenes.row import (
     in_units,
     natural_units,
 )
-from corollary.scenes.run import COARSEST, GuardFailed, Model
+from corollary.scenes.run import GuardFailed, Model, two_runs
 
 # What rounding leaves of a closed formula.
 ROUNDING = 2e-15
@@ -103,14 +103,14 @@ def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
 
 def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     """The error is the difference from a coarser run, which is the coarser one's: the finer one's is smaller."""
-    compiled, units, tolerance = both_ways.wanted(), natural_units(line), min(tolerance, COARSEST)
+    compiled, units, allowed = both_ways.wanted(), natural_units(line), two_runs(tolerance)
     if units is None:
         return Collided(regularised.collide(line), {}, "conservation", "nothing moves toward anything", 0)
     laid = regularised.laid_out(in_units(line, units), compiled)
     tell(0.0)
-    fine = regularised.follow(laid, max(tolerance / 30.0, 1e-15))  # first, for it may need too many steps
+    fine = regularised.follow(laid, allowed[1])  # first, for it may need too many steps
     tell(0.6)
-    coarse = regularised.follow(laid, max(tolerance, 1e-14))
+    coarse = regularised.follow(laid, allowed[0])
     tell(1.0)
     if coarse.outcome != fine.outcome:
         raise GuardFailed(

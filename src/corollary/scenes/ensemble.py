@@ -21,7 +21,7 @@ from corollary.scenes.integrate import both_ways, contact_motion, row_motion
 from corollary.scenes.integrate.regularised import MOST_COMPILED
 from corollary.scenes.integrate.single_contact import MOST_STEPS
 from corollary.scenes.library import spheres
-from corollary.scenes.run import COARSEST, BadSetting
+from corollary.scenes.run import BadSetting, two_runs
 from corollary.scenes.sound import refuse_tolerance, short_text
 
 Array = NDArray[np.float64]
@@ -57,7 +57,7 @@ def ensemble(name: str, given: Mapping[str, Any], tolerance: float = 1e-9) -> En
         raise BadSetting(f"An ensemble is of {' or '.join(PLAYED)}, not of {name!r}; play others one by one.")
     refuse_tolerance(name, tolerance, 1e-13, 0.01)
     with np.errstate(all="ignore"):  # what is no number is refused, variant by variant
-        return PLAYED[name](*_settings(name, given), min(tolerance, COARSEST))
+        return PLAYED[name](*_settings(name, given), two_runs(tolerance))
 
 
 def _settings(name: str, given: Mapping[str, Any]) -> tuple[dict[str, Array], int]:
@@ -124,7 +124,7 @@ def _called(kernel: str, arrays: list[Array], *rest: Any, room: Array) -> int:
     return spent
 
 
-def _cradle(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
+def _cradle(settings: dict[str, Array], n: int, tolerances: tuple[float, float]) -> Ensemble:
     count, coming, q = (float(settings[key][0]) for key in ("N", "balls_in", "q"))
     count, coming = round(count), round(coming)
     masses = settings["masses"] if settings["masses"].size else settings["m"][:, None] * np.ones(count)
@@ -142,7 +142,7 @@ def _cradle(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
     power = np.full(count - 1, smoothing_power(Contact(1.0, q)))
     runs: list[tuple[Array, ...]] = []
     spent = 0
-    for allowed in (tolerance, tolerance / 30.0):
+    for allowed in tolerances:
         y, deepest, hardest = start.copy(), np.zeros((n, count - 1)), np.zeros((n, count - 1))
         lasted, strains, ends, openings = np.zeros((4, n))
         arrays = [y, np.zeros(count - 1, dtype=bool), inverse, np.zeros(count), stiff]
@@ -167,7 +167,7 @@ def _cradle(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
     shift = np.abs((weights * (fine[0] - start[:, ::2])).sum(axis=1)) / (weights * np.abs(fine[0])).sum(
         axis=1
     )
-    lost = np.abs(has / had - 1.0) > 1e3 * tolerance + 1e-12 * count
+    lost = np.abs(has / had - 1.0) > 1e3 * tolerances[0] + 1e-12 * count
     refused = (ended != ends) | (ends > row_motion.MISSED) | lost | (shift > 1e-12)
     units = {
         "velocities": speed,
@@ -222,7 +222,7 @@ def _gathered(
     return Ensemble(observed, errors, OUTCOMES[ends.astype(int)], np.zeros(len(ends), dtype=bool), spent)
 
 
-def _spheres(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
+def _spheres(settings: dict[str, Array], n: int, tolerances: tuple[float, float]) -> Ensemble:
     ma, mb, k, eta = (np.asarray(settings[key]) for key in ("mA", "mB", "k", "eta"))
     q, reach = float(settings["q"][0]), 2.0 * settings["R"]
     va, vb = (np.broadcast_to(settings[key].T, (2, n)) for key in ("vA", "vB"))
@@ -255,7 +255,7 @@ def _spheres(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
     )
     runs: list[tuple[Array, ...]] = []
     smoothing, spent = smoothing_power(Contact(1.0, q)), 0
-    for allowed in (tolerance, tolerance / 30.0):
+    for allowed in tolerances:
         state = np.tile([0.0, 1.0, 1.0, 0.0, 0.0], (n, 1))
         overlaps, forces, ends = np.zeros(n), np.zeros(n), np.zeros(n)
         room = np.zeros((contact_motion.ROOM, contact_motion.SIZE))
@@ -289,7 +289,7 @@ def _spheres(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
         "peak_force": mass * inward**2 / depth,
         "impulse": mass * fast,
     }
-    least = np.where(meets, spheres.SAFE * max(5e-15, spheres.LUCK * tolerance) + doubt, 0.0)
+    least = np.where(meets, spheres.SAFE * max(5e-15, spheres.LUCK * tolerances[0]) + doubt, 0.0)
     return _gathered(units, coarse, fine, found, (spheres.SAFE, 1.0, least), spent)
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from corollary.scenes.collision import SAFE
 from corollary.scenes.collisions_in_turn import STEPS
 from corollary.scenes.definition import Settings, numbers
-from corollary.scenes.run import GuardFailed, Observed, Outcome, Run, by_relative_errors
+from corollary.scenes.run import GuardFailed, Observed, Outcome, Run, by_relative_errors, two_runs
 
 Slope = Callable[[float, Sequence[float]], Sequence[float]]
 
@@ -18,9 +18,9 @@ LEAST_RELATIVE = 2.3e-14
 """scipy's own least; what is small is known absolutely."""
 EXACT = 1e-14
 """What rounding leaves, relative to the largest number of it, where the force is constant: steps of order eight are exact."""
-FINER, LAST_STEPS = 30.0, 10.0
-"""How much finer the second of two runs is; and so many times what a step may be off is what both have in common."""
-COARSEST = 1e-8
+LAST_STEPS = 10.0
+"""So many times what a step may be off is what two runs have in common."""
+LONG_STEPS = 1e-8
 """From here on steps are so long that two runs tell little of their error; they cost little less, too."""
 MOST_FLIGHTS = 300
 """As many are followed to know when a ball rests."""
@@ -144,11 +144,10 @@ def bouncing_ball(settings: Settings, tolerance: float) -> Run:
 def pendulum_block(settings: Settings, tolerance: float) -> Run:
     """Down along the arc, a hit during which the rope swings on, and up to where the sphere turns."""
     m, block, length, g, k = numbers(settings, "m", "M", "L", "g", "k")
-    tolerance = min(tolerance, COARSEST)
-    fine = max(tolerance / FINER, 1e-15)
+    allowed = two_runs(tolerance, LONG_STEPS)
     stiff = k / m * length * math.sqrt(length) / g
-    rough, right = (_hit(m / block, stiff, each) for each in (max(tolerance, 1e-14), fine))
-    off = SAFE * max(abs(a - b) for a, b in zip(rough, right, strict=True)) + LAST_STEPS * fine + EXACT
+    rough, right = (_hit(m / block, stiff, each) for each in allowed)
+    off = SAFE * max(abs(a - b) for a, b in zip(rough, right, strict=True)) + LAST_STEPS * allowed[1] + EXACT
     before, sphere, pushed, top, span = right
     fast = math.sqrt(g * length)
     observed: dict[str, Observed] = {

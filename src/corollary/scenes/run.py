@@ -162,6 +162,14 @@ class Run:
         return replace(self, measured={name: self.measured[name] for name in names if name in self.measured})
 
 
+def two_runs(
+    tolerance: float, coarsest: float = COARSEST, least: tuple[float, float] = (1e-14, 1e-15)
+) -> tuple[float, float]:
+    """The tolerances of a coarser and a finer run, whose difference is the error of the coarser; not below what doubles can hold."""
+    tolerance = min(tolerance, coarsest)
+    return max(tolerance, least[0]), max(tolerance / 30.0, least[1])
+
+
 def components(value: Observed) -> tuple[float, ...]:
     """The numbers a value consists of."""
     return value if isinstance(value, tuple) else (value,)

@@ -14,7 +14,7 @@ from corollary.scenes.collision import ROUNDING, SAFE
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.falls_and_swings import swung
 from corollary.scenes.forces.spring import catching
-from corollary.scenes.run import COARSEST, BadSetting, GuardFailed, Observed, Run, by_relative_errors
+from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, by_relative_errors, two_runs
 
 SETTINGS = (
     Setting("mA", "mass of the bullet", "kg", 0.01, above=0.0),
@@ -49,9 +49,8 @@ def play(settings: Settings, tolerance: float, *, in_steps: bool = False) -> Run
         raise BadSetting(
             f"ballistic_pendulum: in dt = {dt:g} s the block swings up before the bullet is stuck; shorten dt."
         )
-    tolerance = min(tolerance, COARSEST)
-    fine = max(tolerance / 30.0, 1e-14)
-    rough, finer = _held_fast(settings, max(tolerance, 1e-13)), _held_fast(settings, fine)
+    allowed = two_runs(tolerance, least=(1e-13, 1e-14))
+    rough, finer = (_held_fast(settings, each) for each in allowed)
     (way, speed, spent), angle = finer, finer[0] / length
     risen = 2.0 * length * math.sin(0.5 * angle) ** 2
     hot = 0.5 * both * speed**2 + both * g * risen
@@ -70,7 +69,7 @@ def play(settings: Settings, tolerance: float, *, in_steps: bool = False) -> Run
     }
     # The height keeps what the way is off by, too, which the speed forgets; of two runs either may be right by chance, and what fades
     # forgets all but the last steps, each off by what it may be.
-    off = abs(rough[1] - finer[1]) / common + LAST_STEPS * fine
+    off = abs(rough[1] - finer[1]) / common + LAST_STEPS * allowed[1]
     raised = off + math.sin(angle) * abs(rough[0] - way) / height + apart
     errors = dict.fromkeys(observed, 4.0 * ROUNDING + 2.0 * raised) | {
         "velocities": 4.0 * ROUNDING + 2.0 * off
@@ -87,12 +86,12 @@ def _turned(
     tolerance: float,
 ) -> tuple[float, float]:
     """The angle (rad) at which the block turns, in steps from two runs, and how far they are apart, relatively."""
-    unit, fine = math.sqrt(g * length), max(tolerance / 30.0, 1e-15)
+    unit, allowed = math.sqrt(g * length), two_runs(tolerance)
     coarse, turned = (
         swung(way / length, speed / unit, each)[0]
-        for (way, speed, _), each in ((rough, max(tolerance, 1e-14)), (finer, fine))
+        for (way, speed, _), each in zip((rough, finer), allowed, strict=True)
     )
-    return turned, SAFE * abs(coarse / turned - 1.0) + LAST_STEPS * fine
+    return turned, SAFE * abs(coarse / turned - 1.0) + LAST_STEPS * allowed[1]
 
 
 def _held_fast(settings: Settings, tolerance: float) -> tuple[float, float, int]:

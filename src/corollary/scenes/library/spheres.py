@@ -10,7 +10,7 @@ from corollary.scenes.integrate.single_contact import follow, groups_of
 from corollary.scenes.models.certain import found
 from corollary.scenes.models.pair import Pair, Parting, Touching, after_parting, collision, meet
 from corollary.scenes.models.proven import collisions
-from corollary.scenes.run import COARSEST, BadSetting, GuardFailed, Observed, Run, by_relative_errors
+from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, by_relative_errors, two_runs
 
 SETTINGS = (
     Setting("mA", "mass of A", "kg", 0.1, above=0.0),
@@ -102,8 +102,8 @@ def collided(pair: Pair, tolerance: float) -> Run:
 
 def _twice(pair: Pair, met: Touching, tolerance: float) -> tuple[Parting, float, int]:
     """Two runs; their difference is the error of the coarser. Times SAFE it holds for what both have in common, too."""
-    tolerance = min(tolerance, COARSEST)
-    coarse, fine = follow(pair, met, max(tolerance, 1e-14)), follow(pair, met, max(tolerance / 30.0, 1e-15))
+    allowed = two_runs(tolerance)
+    coarse, fine = (follow(pair, met, each) for each in allowed)
     if coarse.sticks != fine.sticks:
         raise GuardFailed("One run releases the spheres, a finer one does not. Move eta off that edge.")
     speed = math.hypot(*pair.relative) or 1.0
@@ -114,7 +114,7 @@ def _twice(pair: Pair, met: Touching, tolerance: float) -> tuple[Parting, float,
         0.0 if fine.sticks else abs(coarse.duration / fine.duration - 1.0),
     ]
     # Agreement far below what a step is allowed is luck.
-    return fine, SAFE * max(*seen, 5e-15, LUCK * tolerance), coarse.evaluations + fine.evaluations
+    return fine, SAFE * max(*seen, 5e-15, LUCK * allowed[0]), coarse.evaluations + fine.evaluations
 
 
 SCENE = SceneDefinition("two spheres collide in a plane, with or without damping", SETTINGS, play, proven)
