@@ -8,10 +8,11 @@ from __future__ import annotations
 import inspect
 import re
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from itertools import groupby
-from pathlib import Path
 from typing import Any
+
+from reference_page import table, written
 
 import corollary.laws
 from corollary.formula.abbreviations import ROWS as ABBREVIATED
@@ -22,7 +23,6 @@ from corollary.units.table import ROWS as UNIT_ROWS
 from corollary.units.table import UNITS
 from corollary.units.unit import Unit, show, si_unit
 
-PAGE = Path(__file__).parents[1] / "docs" / "laws.md"
 EQUATION = re.compile(r"`([^`]*=[^`]*)`")
 OPENING = """\
 # Laws, functions, units and letters
@@ -30,14 +30,6 @@ OPENING = """\
 All that may be written in a solution, a condition, a hole or an answer, made from the code by
 `python .ci/author_reference.py`. How they are used is told [for authors](author.md).
 """
-
-
-def main(words: list[str]) -> int:
-    text = page()
-    if "--check" in words:
-        return int(PAGE.read_text(encoding="utf-8") != text)
-    PAGE.write_text(text, encoding="utf-8")
-    return 0
 
 
 def page() -> str:
@@ -149,14 +141,5 @@ def letters() -> Iterator[str]:
     )
 
 
-def table(head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
-    """A table of Markdown, and a blank line."""
-    yield "| " + " | ".join(head) + " |"
-    yield "|" + "---|" * len(head)
-    for row in rows:
-        yield "| " + " | ".join(cell.replace("|", "\\|").replace("\n", " ") for cell in row) + " |"
-    yield ""
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(written("laws.md", page(), sys.argv[1:]))

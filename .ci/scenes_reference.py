@@ -6,14 +6,14 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator
-from pathlib import Path
+from collections.abc import Iterator
+
+from reference_page import table, written
 
 from corollary.scenes.catalogue import SCENES, run
 from corollary.scenes.definition import Setting
 from corollary.scenes.run import Run, components
 
-PAGE = Path(__file__).parents[1] / "docs" / "ready_scenes.md"
 OPENING = """\
 # Ready-made scenes
 
@@ -175,14 +175,6 @@ NOTES = {
 }
 
 
-def main(words: list[str]) -> int:
-    text = page()
-    if "--check" in words:
-        return int(PAGE.read_text(encoding="utf-8") != text)
-    PAGE.write_text(text, encoding="utf-8")
-    return 0
-
-
 def page() -> str:
     """The whole page. Raises KeyError where a scene observes what there are no words for."""
     return "\n".join([OPENING, *(line for name in SCENES for line in _scene(name))]) + "\n"
@@ -194,11 +186,11 @@ def _scene(name: str) -> Iterator[str]:
     note = f" {NOTES[name]}" if name in NOTES else ""
     proven = " `--proven` encloses its motion." if scene.proven else ""
     yield f"{scene.meaning[0].upper()}{scene.meaning[1:]}.{note}{proven}\n"
-    yield from _table(("setting", "what it is", "unit", "default", "takes"), map(_setting, scene.settings))
+    yield from table(("setting", "what it is", "unit", "default", "takes"), map(_setting, scene.settings))
     words = OBSERVED[name]
     if strange := found.measured.keys() - words.keys():
         raise KeyError(f"{name} observes {', '.join(sorted(strange))}: say in OBSERVED what it is.")
-    yield from _table(
+    yield from table(
         ("observed", "what it is", "error"), ((f"`{n}`", w, _error(found, n)) for n, w in words.items())
     )
 
@@ -212,14 +204,5 @@ def _error(found: Run, name: str) -> str:
     return found.measured[name].error_is if name in found.measured else "–"
 
 
-def _table(head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
-    """A table of Markdown with its heads, and a blank line."""
-    yield "| " + " | ".join(head) + " |"
-    yield "|" + "---|" * len(head)
-    for row in rows:
-        yield "| " + " | ".join(row) + " |"
-    yield ""
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(written("ready_scenes.md", page(), sys.argv[1:]))
