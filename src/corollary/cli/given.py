@@ -10,13 +10,13 @@ from typing import Any
 from corollary.cli.ending import refuse
 
 
-def from_options(sets: list[str]) -> dict[str, str]:
-    """Givens as `m=0.43` (SI) or `v=72 km/h`, by symbol."""
+def from_options(sets: list[str], form: str = 'name=value, such as m=0.43 or v="72 km/h"') -> dict[str, str]:
+    """Givens as `m=0.43` (SI) or `v=72 km/h`, by symbol; `form` is how they are written. Refuses one that is given twice."""
     values: dict[str, str] = {}
     for option in sets:
         name, mark, text = option.partition("=")
         if not mark or not name.strip():
-            refuse(f'--set {option}: write it as name=value, such as m=0.43 or v="72 km/h"')
+            refuse(f"--set {option}: write it as {form}")
         if name.strip() in values:
             refuse(f"--set {option}: {name.strip()} is set twice; give it once")
         values[name.strip()] = text

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
+from corollary.cli.given import from_options
 from corollary.cli.progress import waiting
 from corollary.grading.from_json import finite
 from corollary.scenes.catalogue import SCENES, definition
@@ -12,6 +13,8 @@ from corollary.scenes.catalogue import run as play
 from corollary.scenes.condition import with_conditions
 from corollary.scenes.progress import part, reported_to
 from corollary.scenes.run import GuardFailed, Observed, components
+
+FORM = "name=number, such as q=1.5, or masses=0.1,0.2,0.1"
 
 
 def run(
@@ -106,26 +109,18 @@ def _explain(name: str, as_json: bool) -> int:
     return HOLDS
 
 
-def _chosen(settings: list[str]) -> dict[str, float | tuple[float, ...]]:
-    """Refuses a setting that is given twice."""
-    chosen: dict[str, float | tuple[float, ...]] = {}
-    for option in settings:
-        name, value = _setting(option)
-        if name in chosen:
-            refuse(f"--set {option}: {name} is set twice; give it once")
-        chosen[name] = value
-    return chosen
+def _chosen(options: list[str]) -> dict[str, float | tuple[float, ...]]:
+    return {name: _numbers(name, text) for name, text in from_options(options, FORM).items()}
 
 
-def _setting(option: str) -> tuple[str, float | tuple[float, ...]]:
-    name, mark, text = option.partition("=")
+def _numbers(name: str, text: str) -> float | tuple[float, ...]:
     try:
         numbers = tuple(float(each) for each in text.strip("[]() ").split(",") if each.strip())
     except ValueError:
         numbers = ()
-    if not mark or not numbers:
-        refuse(f"--set {option}: write it as name=number, such as q=1.5, or masses=0.1,0.2,0.1")
-    return name.strip(), numbers if "," in text else numbers[0]
+    if not numbers:
+        refuse(f"--set {name}={text}: write it as {FORM}")
+    return numbers if "," in text else numbers[0]
 
 
 def _number_or_row(value: Observed) -> Any:
