@@ -150,6 +150,11 @@ def refuse_own(scene: Parts, force: Any, start: Sequence[float]) -> None:
         )
 
 
+def failing(whose: str, time: float, error: Exception) -> str:
+    """The sentence about a function of somebody's own that raised something on the way."""
+    return f"{whose} fails at {time:.6g} s ({type(error).__name__}: {error}); mend it, or watch for a shorter time."
+
+
 def _refuse_burnt(scene: Parts) -> None:
     rates: dict[int, float] = {}
     for force in scene.forces:

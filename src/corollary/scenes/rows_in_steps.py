@@ -6,7 +6,7 @@ import math
 
 from corollary.scenes.collision import ROUNDING, collide
 from corollary.scenes.collisions_in_turn import second_run
-from corollary.scenes.definition import Settings, numbers, one, row
+from corollary.scenes.definition import Settings, numbers, row
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import Observed, Run, by_relative_errors
@@ -30,11 +30,13 @@ def wall(settings: Settings, tolerance: float) -> Run:
 
 def cradle(settings: Settings, tolerance: float) -> Run | None:
     """None for more than two balls that are no springs: they are followed in steps in any case."""
-    count, coming = round(one(settings, "N")), round(one(settings, "balls_in"))
+    from corollary.scenes.library.cradle import balls_of  # here, since a scene is loaded when it is asked for
+
     k, q, v0 = numbers(settings, "k", "q", "v0")
+    masses, coming = balls_of(settings)
+    count = len(masses)
     if count > 2 and q > 1.0:
         return None
-    masses = row(settings, "masses", count, "balls") if settings["masses"] else (one(settings, "m"),) * count
     gaps = row(settings, "gaps", count - 1, "gaps")
     if count == 2:  # however far apart, the collision is the same
         gaps = (0.0,)

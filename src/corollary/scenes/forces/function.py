@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
-from corollary.scenes.refused import WRITTEN_WRONG, refuse_own
+from corollary.scenes.refused import WRITTEN_WRONG, failing, refuse_own
 from corollary.scenes.run import GuardFailed, NoForce
 from corollary.scenes.scene import Conserves, ForceOnOne, Pushes, Scene, place, start_of, velocity
 from corollary.scenes.sound import size_of
@@ -43,10 +43,7 @@ class ForceFunction(ForceOnOne):
             newtons = self.function(time, x, v)
         except (*WRITTEN_WRONG, ValueError) as error:  # a stage thrown out of range is a step not taken
             kind = NoForce if isinstance(error, ValueError) else GuardFailed
-            raise kind(
-                f"{scene.name}: the function of ForceFunction fails at {time:.6g} s ({type(error).__name__}: {error}); mend it, "
-                "or watch for a shorter time."
-            ) from error
+            raise kind(failing(f"{scene.name}: the function of ForceFunction", time, error)) from error
         size_of(newtons, scene.axes, f"{scene.name}: ForceFunction", time)
         yield self.body, newtons
 

@@ -30,7 +30,7 @@ SETTINGS = (
 MOST_PROVEN, MOST_THROWN = 6, 20.0
 
 
-def _row(settings: Mapping[str, Observed]) -> tuple[tuple[float, ...], int]:
+def balls_of(settings: Mapping[str, Observed]) -> tuple[tuple[float, ...], int]:
     """The masses, and how many balls come in. Raises BadSetting."""
     count, coming = round(one(settings, "N")), round(one(settings, "balls_in"))
     masses = row(settings, "masses", count, "balls") if settings["masses"] else (one(settings, "m"),) * count
@@ -43,7 +43,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     The cradle is scaled to mass, force constant and speed one, so cradles that differ only in these share one collision.
     """
     q, k, v0 = (one(settings, name) for name in ("q", "k", "v0"))
-    masses, coming = _row(settings)
+    masses, coming = balls_of(settings)
     count = len(masses)
     if count == 2:
         row(settings, "gaps", 1, "gaps")  # however far apart, the collision is the same
@@ -83,7 +83,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
 
 def proven(settings: Mapping[str, Observed]) -> Run:
     """The same enclosed in balls, every value with a bound. Raises BadSetting for long rows, and for light balls between heavy ones."""
-    masses, coming = _row(settings)
+    masses, coming = balls_of(settings)
     count, v0 = len(masses), one(settings, "v0")
     if count > MOST_PROVEN:
         raise BadSetting(

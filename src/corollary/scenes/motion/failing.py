@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from corollary.scenes.constraint import State
+from corollary.scenes.refused import failing
 from corollary.scenes.run import GuardFailed, NoForce
 from corollary.scenes.scene import Scene
 
@@ -24,19 +25,11 @@ def refuse_failing(scene: Scene, time: float, state: State) -> None:
             except (ArithmeticError, ValueError) as error:
                 if isinstance(error, GuardFailed):
                     raise
-                raise GuardFailed(failing(scene, force, when, error)) from error
+                raise GuardFailed(failing(f"{scene.name}: {type(force).__name__}", when, error)) from error
             if any(map(math.isnan, given)):
                 raise GuardFailed(
                     f"{scene.name}: {type(force).__name__} gives nan at {when:.6g} s, which is no number; mend it, or watch for a shorter time."
                 )
-
-
-def failing(scene: Scene, force: object, time: float, error: Exception) -> str:
-    """The sentence about a function of somebody's own that raised something."""
-    return (
-        f"{scene.name}: {type(force).__name__} fails at {time:.6g} s ({type(error).__name__}: {error}); mend it, "
-        "or watch for a shorter time."
-    )
 
 
 def _from_there(scene: Scene, time: float, state: State) -> Iterator[tuple[float, State]]:

@@ -114,7 +114,7 @@ class Stepper:
         self.steps += 1
         self.steady += 1
         self.hurried += self.steady <= SOON
-        began, before = solver.t, solver.y.tolist()
+        began, before = solver.t, solver.y
         if self.steps > self.most or self.hurried > MOST_HURRIED:
             raise GuardFailed(
                 f"{self.scene.name}: the end was not reached within {self.steps - 1} steps, only {begun + solver.t:.6g} s. "
@@ -128,7 +128,7 @@ class Stepper:
         if isinstance(solver, DOP853) and solver.status != "failed":
             self._hold_down(solver)
         if solver.status == "failed" or not np.isfinite(solver.y).all():
-            refuse_failing(self.scene, begun + began, before)
+            refuse_failing(self.scene, begun + began, before.tolist())
             raise GuardFailed(
                 f"{self.scene.name}: at {begun + solver.t:.6g} s a force grows without end; no step is short enough."
             )
