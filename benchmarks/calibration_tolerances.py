@@ -143,8 +143,8 @@ def main() -> None:
     lines = [
         "# Stated errors at coarse tolerances",
         "",
-        f"Tolerances of 1e-11 … 1e-2, drawn at random, beside {FINEST:g}: `python benchmarks/calibration_tolerances.py --runs {asked.runs}`. "
-        "Said: outside, but a warning says that the duration is not decided.",
+        f"Tolerances of 1e-11 … 1e-2, drawn at random, beside {FINEST:g}: `python benchmarks/calibration_tolerances.py --runs {asked.runs} "
+        f"--seconds {asked.seconds:g}`, so many seconds for each family. Said: outside, but a warning says that the duration is not decided.",
         "",
         "| family | runs | values | inside | outside, said | outside | worst ratio of these |",
         "| --- | ---: | ---: | ---: | ---: | ---: | ---: |",
