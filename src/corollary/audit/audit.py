@@ -19,7 +19,7 @@ from corollary.parallel import cores
 from corollary.problem.bank import Bank
 from corollary.sandbox.limited import Limited, NotFinished
 
-SECONDS = 30.0  # of the processor for a record: the slowest of the examples takes 4
+SECONDS = 30.0  # of the processor for a record: the slowest of the examples takes 5
 SECONDS_FOR_MISTAKES = 20.0
 SECONDS_FOR_FORMULA = 5.0
 

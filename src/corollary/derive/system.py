@@ -21,6 +21,7 @@ from corollary.laws.law import Law, law, own_letters, sides, substitute, symbols
 SHORT = 40  # operations: a longer formula is left as it was found, for simplifying it may take minutes
 DIGITS = 30
 REAL = 1e-18  # an imaginary part so small, of 30 digits, is rounding
+INFINITE = (sympy.nan, sympy.oo, -sympy.oo, sympy.zoo)
 Values = dict[sympy.Symbol, sympy.Expr]
 
 
@@ -36,7 +37,7 @@ class NamedEquation:
     def residual(self) -> sympy.Expr:
         return self.left - self.right
 
-    def with_values(self, values: Mapping[sympy.Symbol, sympy.Expr]) -> NamedEquation:
+    def with_values(self, values: Mapping[Any, sympy.Expr]) -> NamedEquation:
         return NamedEquation(self.law, *(substitute(side, values) for side in (self.left, self.right)))
 
     def speaks_of(self, letters: Set[sympy.Symbol]) -> bool:
@@ -129,7 +130,7 @@ def system_roots(
     ]
     letters = {sympy.Symbol(name, real=True) for name in unknowns}
     found: list[SystemRoot] = []
-    for root, left in _solved(equations, letters):
+    for root, left in _with_letters_for_angles(equations, letters) or _solved(equations, letters):
         if free := [each for each in letters if each not in root or root[each].free_symbols & letters]:
             names = ", ".join(sorted(map(str, free)))
             raise NoRoot(f"{len(equations)} equations for {len(letters)} unknowns leave {names} free")
@@ -137,6 +138,53 @@ def system_roots(
             SystemRoot({name: root[sympy.Symbol(name, real=True)] for name in unknowns}, tuple(left))
         )
     return tuple(found)
+
+
+def _with_letters_for_angles(
+    equations: Sequence[NamedEquation], unknowns: Set[sympy.Symbol]
+) -> list[tuple[Values, list[NamedEquation]]]:
+    """The roots, sought with a letter for each sine and cosine of a number; none where one of them does not fulfil the equations.
+
+    cos 38° is a root of a polynomial of degree 24, in whose field of numbers the same roots take half a minute.
+    """
+    back = {
+        sympy.Dummy("c", real=True, positive=each.is_positive, negative=each.is_negative): each
+        for each in sorted(_functions_of_numbers(equations), key=str)
+    }
+    if not back:
+        return []
+    there = {number: letter for letter, number in back.items()}
+    try:
+        solved = _solved([each.with_values(there) for each in equations], unknowns)
+    except NoRoot:
+        return []
+    found = [
+        (
+            {symbol: substitute(value, back) for symbol, value in root.items()},
+            [each.with_values(back) for each in left],
+        )
+        for root, left in solved
+    ]
+    whole = all(_fulfilled(each.with_values(root)) for root, _ in found for each in equations)
+    return found if whole else []
+
+
+def _functions_of_numbers(equations: Sequence[NamedEquation]) -> set[sympy.Expr]:
+    return {
+        each
+        for equation in equations
+        for each in equation.residual.atoms(sympy.Function)
+        if each.is_number and each.is_real and each.is_zero is False
+    }
+
+
+def _fulfilled(equation: NamedEquation) -> bool:
+    """Whether nothing speaks against it: its terms are finite, and their sum is nothing beside them where they are numbers."""
+    terms = [sympy.N(each, DIGITS) for each in sympy.Add.make_args(equation.residual)]
+    if not all(each.is_number for each in terms):
+        return not any(each.has(*INFINITE) for each in terms)
+    size = sympy.Add(*(abs(each) for each in terms))
+    return size.is_finite is True and bool(abs(sympy.Add(*terms)) <= REAL * size)
 
 
 def _solved(

@@ -232,8 +232,8 @@ def as_expression(value: object) -> sympy.Expr:
     )
 
 
-def substitute(expression: Any, values: Mapping[sympy.Symbol, sympy.Expr]) -> Any:
-    """The expression (or relation) with letters replaced, all at once; simplified only as sympy does by itself."""
+def substitute(expression: Any, values: Mapping[Any, sympy.Expr]) -> Any:
+    """The expression (or relation) with letters, or whole parts, replaced, all at once; simplified only as sympy does by itself."""
     return expression.subs(dict(values)) if values else expression
 
 
