@@ -60,6 +60,16 @@ def _turns(scene: Scene, path: Trajectory) -> list[Turn]:
             found.append(Turn(stretch.begin, math.hypot(*place(scene, stretch.before, 0)), first))
         found += _inside(scene, stretch, lambda y: _outward(scene, y))
         last = _outward(scene, stretch.after)
+    return _without_those_of_rounding(found, path.near)
+
+
+def _without_those_of_rounding(turns: Sequence[Turn], near: float) -> list[Turn]:
+    """Where a body is thrown back at the origin itself, rounding may send it past: what turns within `near` (m) and comes back is one turn."""
+    found: list[Turn] = []
+    for turn in turns:
+        past = not turn.inward and turn.distance <= near
+        if not found or not (past or turn.inward is found[-1].inward):
+            found.append(turn)
     return found
 
 
