@@ -11,7 +11,10 @@ from corollary.scenes.progress import part
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, components
 
 MOVED = 1e-7  # as a share of a setting: small, and still far above what rounding does to values
-SLOW = 0.05  # seconds: a run dearer than that is repeated once, with all settings moved together
+# Evaluations of forces: a run dearer than that is repeated once, with all settings moved together. The clock does not decide it, for on a
+# machine that is busy the same scene would get another condition.
+DEAR = 1200
+APART = 0.618  # the golden ratio: its multiples leave parts of one that are all different
 ILL = 1e6  # from this condition on it is worth a warning
 DIGITS = 15.95  # of a double
 
@@ -54,20 +57,19 @@ def with_conditions(found: Run, tolerance: float) -> Run:
 
 
 def _moved(found: Run) -> Iterator[tuple[str, dict[str, object]]]:
+    """Downward, so that a coefficient of restitution of one stays below its end; together, each by a part of its own: ratios change, too."""
     numbers = [
         each.name
         for each in SCENES[found.scene].settings
         if not each.whole and any(components(found.settings[each.name]))
     ]
-    together = dict[str, object](found.settings)
-    for i, name in enumerate(numbers):
-        value = _times(found.settings[name], 1.0 - MOVED if i % 2 else 1.0 + MOVED)
-        together[name] = value
-        if found.seconds <= SLOW:
-            # Downward, so that a coefficient of restitution of one stays below its end.
+    if found.evaluations <= DEAR:
+        for name in numbers:
             yield name, {**found.settings, name: _times(found.settings[name], 1.0 - MOVED)}
-    if found.seconds > SLOW:
-        yield "One of the settings", together
+        return
+    shares = {name: 1.0 - APART * i % 1.0 for i, name in enumerate(numbers)}
+    moved = {name: _times(found.settings[name], 1.0 - MOVED * share) for name, share in shares.items()}
+    yield "One of the settings", {**found.settings, **moved}
 
 
 def _times(value: Observed, factor: float) -> Observed:
