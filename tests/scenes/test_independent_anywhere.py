@@ -19,6 +19,12 @@ def absorbed_drop(draw):
     return names | {"u": draw.uniform(-9, 9), "F": draw.choice([0.0, 4.0]), "dt": any_of(draw, -6, -1)}
 
 
+def atom(draw):
+    """Either way round, on a line or in a plane; some of them leave."""
+    start = {"v0": draw.choice([-1.0, 1.0]) * any_of(draw, -1, 0.8), "r0": draw.uniform(0.65, 1.35)}
+    return start | {"m": any_of(draw, -1, 1), "dimension": draw.choice([1.0, 2.0])}
+
+
 def ball_on_floor(draw):
     names = {"m": any_of(draw, -2, 1), "k": any_of(draw, 4, 8), "q": draw.choice([1.0, 1.5, 2.0])}
     damped = draw.choice([{}, {"eta": any_of(draw, -2, 2), "g": 0.0, "q": 1.0}])
@@ -50,13 +56,24 @@ def cradle(draw):
 
 
 def ions(draw):
-    names = {"C": any_of(draw, -5, -1), "mA": any_of(draw, -2, 0), "mB": any_of(draw, -2, 0)}
+    names = {"C": any_of(draw, -5, -1), "mA": any_of(draw, -2, 6), "mB": any_of(draw, -2, 0)}
+    names |= draw.choice([{}, {"mA": names["mB"], "mB": names["mA"]}])
     return names | {"v": any_of(draw, -1, 1), "s": draw.choice([0.0, draw.uniform(0.0, 0.079)])}
+
+
+def kick(draw):
+    names = {"m": any_of(draw, -2, 2), "v0": draw.choice([-1.0, 1.0]) * any_of(draw, -3, 6)}
+    return names | {"F": any_of(draw, -6, 3), "dt": any_of(draw, -9, 0), "pulse": float(draw.randint(1, 8))}
 
 
 def pendulum_block(draw):
     names = {"m": any_of(draw, -2, 2), "L": any_of(draw, -1, 1), "k": any_of(draw, 6, 11)}
     return names | {"M": draw.choice([any_of(draw, -2, 2), names["m"]]), "g": any_of(draw, 0, 1.3)}
+
+
+def rocket(draw):
+    names = {"m0": any_of(draw, 0, 6), "N": float(round(any_of(draw, 0, 4)))}
+    return names | {"m1": any_of(draw, -18, 0), "v_rel": any_of(draw, 0, 4)}
 
 
 def snowball(draw):
@@ -86,12 +103,15 @@ def wall(draw):
 
 DRAWN = [
     absorbed_drop,
+    atom,
     ball_on_floor,
     ballistic_pendulum,
     bouncing_ball,
     cradle,
     ions,
+    kick,
     pendulum_block,
+    rocket,
     snowball,
     spheres,
     super_ball,
@@ -112,6 +132,7 @@ def test_wherever_both_ways_agree_within_what_they_state(drawn):
             rows = (known.value, each.value, known.error, each.error)
             for a, b, e, f in zip(*map(components, rows), strict=True):
                 assert abs(a - b) <= e + f, (name, settings, tolerance)
+                assert f >= 0.0
 
 
 def test_only_what_is_followed_in_steps_in_any_case_has_no_second_way():

@@ -223,8 +223,6 @@ WRONG = [
     ("velocity = 2 and moves", lambda: alone(HardWall((1.0,), moves=lambda t: (0.0,) * 3, velocity=2.0))),
     ("body 0 and body 1, which .* run into", lambda: Scene(rolling(1.0), (), until=0.81)),
     ("body 0 and body 1, which .* run into", lambda: Scene(rolling(1.0), (Contact(1e4),), until=2.0)),
-    ("part with 1 m/s", lambda: Scene((ONE, Body(1.0, (1.0,), (2.0,))), (Rod((0, 1)),), until=1.0)),
-    ("near each other with 0.6 m/s", lambda: Scene(askew(0.6), (Rod((0, 1)),), until=1.0)),
     ("cannot be hashed", lambda: alone(Own([(0, (1.0,))]))),
     ("cannot be hashed", lambda: alone(Melting())),
     ("strength = nan", lambda: alone(Own(strength=nan))),
@@ -411,3 +409,22 @@ def test_a_hit_exactly_at_the_end_has_not_happened():
 
     assert end(1.0) == pytest.approx((-9.8,))
     assert end(1.0 + 1e-9) == pytest.approx((4.9,))
+
+
+@pytest.mark.parametrize(
+    ("says", "bodies"),
+    [
+        ("part with 1 m/s", (ONE, Body(1.0, (1.0,), (2.0,)))),
+        ("near each other with 0.6 m/s", askew(0.6)),
+    ],
+)
+def test_ends_of_a_rod_that_part_are_refused(says, bodies):
+    with pytest.raises(BadSetting, match=says):
+        play(Scene(bodies, (Rod((0, 1)),), until=1.0), {O.VELOCITIES})
+
+
+def test_what_rounding_leaves_along_a_rod_is_taken_out():
+    """As a run ends: a body that hangs, with a rounding of what it swung with."""
+    nail, hung = Body(inf, (0.0, 0.0), (0.0, 0.0)), Body(1.0, (0.0, -1.0), (0.0, -3.9e-16))
+    found = play(Scene((nail, hung), (Rod((0, 1)), Weight(9.8)), until=1.0), {O.VELOCITIES})
+    assert found.observed["velocities"] == pytest.approx((0.0,) * 4, abs=1e-15)

@@ -50,10 +50,9 @@ def rocket(settings: Settings, tolerance: float) -> Run:
     m0, m1, v_rel, v0, puffs = numbers(settings, "m0", "m1", "v_rel", "v0", "N")
     count = round(puffs)
     puff, least, most = (m0 - m1) / count, v0, v0
-    for i in range(count):
-        before = m0 - puff * i
-        least, most = least + v_rel * puff / before, most + v_rel * puff / (before - puff)
-    middle = 0.5 * (least + most)
-    return second_run(
-        {"velocities": (middle,)}, 0.5 * (most - least) / abs(middle), ONE_BY_ONE, "conservation"
-    )
+    for left in range(count, 0, -1):
+        before, after = m1 + puff * left, m1 + puff * (left - 1)
+        least, most = least + v_rel * puff / before, most + v_rel * puff / after
+    middle, size = 0.5 * (least + most), max(abs(most), abs(least), v_rel)
+    error = 0.5 * (most - least) / size + 1e-16 * count
+    return second_run({"velocities": (middle,)}, error, ONE_BY_ONE, "conservation", {"velocities": size})

@@ -119,16 +119,18 @@ def kick(settings: Settings, tolerance: float) -> Run:
     push = ForceFunction(0, lambda t, x, v: (peak * math.sin(math.pi * min(t / dt, 1.0)) ** power,))
     (after,), (way,), error = _after((Body(m, (0.0,), (v0,)),), (push,), dt, tolerance)
     return second_run(
-        {"velocities": (after,), "impulse": m * (after - v0), "way": way, "peak_force": abs(peak)}, error
+        {"velocities": (after,), "impulse": m * (after - v0), "way": way, "peak_force": abs(peak)},
+        error,
+        scales={"impulse": m * max(abs(after), abs(v0))},
     )
 
 
 def ions(settings: Settings, tolerance: float) -> Run:
     strength, ma, mb, v, r0, s = numbers(settings, "C", "mA", "mB", "v", "r0", "s")
     # Seen from where both meet in the end if nothing acts: each turns there as the other does, at distances that add up.
-    far, share = math.sqrt((r0 - s) * (r0 + s)), mb / (ma + mb)
+    far, share, rest = math.sqrt((r0 - s) * (r0 + s)), mb / (ma + mb), ma / (ma + mb)
     a = Body(ma, (-share * far, -share * s), (share * v, 0.0))
-    b = Body(mb, ((1.0 - share) * far, (1.0 - share) * s), (-(1.0 - share) * v, 0.0))
+    b = Body(mb, (rest * far, rest * s), (-rest * v, 0.0))
     runs = [
         _followed(
             Scene(bodies, (InverseSquare((0, 1), -strength),), until=4.0 * r0 / v),
@@ -145,12 +147,14 @@ def ions(settings: Settings, tolerance: float) -> Run:
 
 
 def atom(settings: Settings, tolerance: float) -> Run:
-    r, v, plane = settings["r0"], settings["v0"], one(settings, "dimension") == 2.0
-    place = (*components(r), 0.0)[:2]
-    velocity = components(v) if isinstance(v, tuple) else ((0.0, v) if plane else (v, 0.0))
-    m, well = one(settings, "m"), Well(*numbers(settings, "k", "b", "d"))
-    axes = 2 if plane else 1
-    body = Body(m, tuple(place[:axes]), tuple((*velocity, 0.0)[:axes]))
+    from corollary.scenes.library.atom import start  # here, since a scene is loaded when it is asked for
+
+    plane, m = one(settings, "dimension") == 2.0, one(settings, "m")
+    well, axes = Well(*numbers(settings, "k", "b", "d")), 2 if plane else 1
+    place, velocity = start(settings, well, plane)
+    if not any(velocity) and math.hypot(*place) >= well.edge:  # nothing acts on it
+        return second_run({"velocities": velocity[:axes], "escapes": 1.0}, 0.0)
+    body = Body(m, place[:axes], velocity[:axes])
     swing, speed = 2.0 * math.pi * math.sqrt(m / well.k), math.hypot(*velocity) or 1.0
     # A period is no longer than a swing on a line; it is seen when the distance has come back twice.
     long = Scene((body,), (well,), until=2.1 * swing)
@@ -172,7 +176,9 @@ def atom(settings: Settings, tolerance: float) -> Run:
         times = 0.0, components(run.observed["period"])[0]
         seen = _followed(long, {Observable.TRAJECTORY}, tolerance, times).observed["trajectory"]
         x, y, later_x, later_y = components(seen)
-        more["angle"] = math.atan2(x * later_y - y * later_x, x * later_x + y * later_y) % (2.0 * math.pi)
+        sense = math.copysign(1.0, x * velocity[1] - y * velocity[0])
+        turned = sense * math.atan2(x * later_y - y * later_x, x * later_x + y * later_y)
+        more["angle"] = sense * (turned % (2.0 * math.pi))
     return replace(run, measured=run.measured | second_run(more, run.error).measured)
 
 

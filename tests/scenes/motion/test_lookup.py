@@ -7,10 +7,12 @@ import math
 import pytest
 
 from corollary.scenes.body import Body
+from corollary.scenes.forces.inverse_square import InverseSquare
+from corollary.scenes.forces.spring import Spring
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.plan import play
-from corollary.scenes.run import Observable
+from corollary.scenes.run import BadSetting, Observable, components
 from corollary.scenes.scene import Scene
 
 
@@ -23,3 +25,35 @@ def test_a_ball_thrown_back_at_the_origin_itself_returns_once_a_flight(height, f
     found = play(Scene((ball,), (Weight(9.8), HardWall((1.0,))), until=flights * flight), {Observable.PERIOD})
     measured = found.measured["period"]
     assert abs(measured.value - flight) <= measured.error < 1e-11
+
+
+def test_returns_that_are_not_alike_are_no_period():
+    """Of a ball whose floor is below the origin the distance is least three times a flight."""
+    ball = Body(1.0, (1.0,), (0.0,))
+    with pytest.raises(BadSetting, match=r"after 0\.044.* s and after 0\.9035.* s: there is no period"):
+        play(Scene((ball,), (Weight(9.8), HardWall((1.0,), -0.1)), until=3.0), {Observable.PERIOD})
+
+
+@pytest.mark.parametrize("heavy", [1e3, 1e4, 1e5])
+def test_a_body_that_hardly_moves_turns_where_it_does(heavy):
+    """Two ions seen from where they would meet: the heavy one turns at its share of the least distance, which energy gives."""
+    light, strength, far = 0.1, 0.0012, 0.08
+    share, reduced = light / (light + heavy), light * heavy / (light + heavy)
+    rest = heavy / (light + heavy)
+    ions = Body(heavy, (-share * far,), (share,)), Body(light, (rest * far,), (-rest,))
+    nearest = strength / (0.5 * reduced + strength / far)
+    measured = play(
+        Scene(ions, (InverseSquare((0, 1), -strength),), until=0.32), {Observable.TURNING_POINTS}
+    ).measured["turning_points"]
+    (value,), (error,) = components(measured.value), components(measured.error)
+    assert abs(value - share * nearest) <= error < 1e-10
+
+
+def test_a_slow_swing_beside_a_fast_body_has_its_turns():
+    nail, ball, fast = Body(math.inf, (0.0,), (0.0,)), Body(1.0, (1.001,), (0.0,)), Body(1.0, (5.0,), (1e6,))
+    found = play(
+        Scene((ball, nail, fast), (Spring((0, 1), 1.0, 1.0),), until=20.0),
+        {Observable.TURNING_POINTS, Observable.PERIOD},
+    )
+    assert found.observed["turning_points"] == pytest.approx((0.999, 1.001), abs=1e-9)
+    assert found.observed["period"] == pytest.approx(2.0 * math.pi, abs=1e-6)

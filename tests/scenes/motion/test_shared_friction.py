@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import pytest
 
+from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.rod import Rod, String
@@ -108,3 +109,18 @@ def test_belts_that_pull_three_ways_leave_a_body_where_their_pulls_cancel():
     belts = [Friction(0, 0.3, belt=way) for way in ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0))]
     found = speeds([Body(1.0, (0.0, 0.0), (0.0, 0.0))], belts, until=20.0)
     assert found == pytest.approx((0.0, 1.0 / math.sqrt(3.0)), abs=1e-9)  # Fermat's point of the three
+
+
+@pytest.mark.parametrize("eta", [0.0, 5.0])
+def test_a_dashpot_that_sets_in_at_the_start_breaks_loose_what_rests(eta):
+    """At the very touch nothing pushes yet; what is pushed a moment later begins to slip that way, as if there had been a gap."""
+    found = [
+        speeds(
+            [Body(1.0, (0.0,), (1.0,), 0.1), Body(1.0, (0.2 + gap,), (0.0,), 0.1)],
+            [Contact(1e4, 1.0, eta), Friction(1, 0.2)],
+            until=0.01,
+        )
+        for gap in (0.0, 1e-11)
+    ]
+    assert found[0] == pytest.approx(found[1], abs=1e-8)
+    assert math.fsum(found[0]) < 0.981

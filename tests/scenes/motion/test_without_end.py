@@ -1,6 +1,8 @@
 """Happenings without end: those that come to rest are followed to it, those that do not are refused by name."""
 
 import math
+from collections import Counter
+from random import Random
 
 import pytest
 
@@ -151,3 +153,39 @@ def test_two_thousand_swings_are_within_reach(until, reached):
     follower.steps.advance = counted
     with pytest.raises(GuardFailed, match="enough" if reached else "out of reach.*shorter time"):
         follower.run()
+
+
+def test_a_spring_whose_ends_are_pressed_to_one_place_rests_or_is_refused_soon():
+    """Which way a spring of some length pushes there nothing says: it must not change its mind without end."""
+    draw, ended = Random(8), Counter[str]()
+    for _ in range(12):
+        light, heavy = (
+            Body(m, (x,), (draw.uniform(-0.5, 0.5),)) for m, x in ((1.7, 1.58), (draw.uniform(20, 40), 3.6))
+        )
+        forces = Weight(215.0), HardWall((1.0,), restitution=0.0), Spring((1, 0), 500.0, 1.1)
+        follower = Follower(Scene((light, heavy), forces, until=0.41), 1e-10)
+        try:
+            path = follower.run()
+            ended["rests" if path.state[2:] == [0.0, 0.0] else "moves"] += 1
+        except GuardFailed as error:
+            ended["refused" if "which way it acts is not decided" in str(error) else str(error)] += 1
+        assert follower.system.evaluations < 20_000
+    assert set(ended) <= {"rests", "moves", "refused"}  # it may also throw the light one up
+    assert ended["refused"]
+
+
+@pytest.mark.parametrize("begin", [-4e-4, -1.8e-3])
+def test_a_string_that_jerks_far_from_where_it_began(begin):
+    """Two balls begin at nearly one place, and 37 m below it a place is known to 1e-14 m only: the string jerks there, too."""
+    (a, b), length, restitution, until = (1.6, 1.9), 1.0, 0.4, 3.0
+    apart = Body(a, (0.0,), (2.0,)), Body(b, (begin,), (0.0,))
+    found = play(Scene(apart, (Weight(G), String((0, 1), length, restitution)), until=until), {O.VELOCITIES})
+    way, speed, left = length + begin, 2.0, until
+    while left > way / speed:
+        left -= way / speed
+        way, speed = 2.0 * length, restitution * speed
+    jerks = round(math.log(speed / 2.0, restitution))
+    relative = speed * (-1.0) ** jerks
+    middle = 2.0 * a / (a + b) - G * until
+    true = middle + b / (a + b) * relative, middle - a / (a + b) * relative
+    assert found.observed["velocities"] == pytest.approx(true, abs=1e-9)

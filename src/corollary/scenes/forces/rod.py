@@ -10,11 +10,8 @@ from dataclasses import dataclass
 from corollary.scenes.constraint import Constraint, State
 from corollary.scenes.rows import unit_row
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from, start_of
+from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from
 from corollary.scenes.sound import refuse_below
-
-PARTING = 1e-6
-"""A speed along a rod that is such a part of those of its ends is what rounding by hand leaves: it is taken out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,19 +76,6 @@ class Rod(Link):
             raise BadSetting(
                 f"{scene.name}: a rod cannot hold bodies {self.ends[0]} and {self.ends[1]}, which nothing moves and whose velocities differ; "
                 "give them one."
-            )
-        if a.place != b.place:
-            self._refuse_parting(scene)
-
-    def _refuse_parting(self, scene: Scene) -> None:
-        """Raises BadSetting where the ends leave or near each other at the start."""
-        apart, relative = seen_from(scene, start_of(scene), *self.ends)
-        along = sum(x * v for x, v in zip(apart, relative, strict=True)) / math.hypot(*apart)
-        fast = sum(math.hypot(*scene.bodies[i].velocity) for i in self.ends)
-        if abs(along) > PARTING * fast:
-            raise BadSetting(
-                f"{scene.name}: the ends of a rod, bodies {self.ends[0]} and {self.ends[1]}, {'part' if along > 0.0 else 'near each other'} "
-                f"with {abs(along):.3g} m/s at the start, which it cannot let them do; give them velocities that agree along it."
             )
 
     def constraints(self, scene: Scene) -> Iterator[Constraint]:

@@ -37,15 +37,12 @@ def play(settings: Settings, tolerance: float) -> Run:
     """
     m, well = one(settings, "m"), Well(*numbers(settings, "k", "b", "d"))
     plane = one(settings, "dimension") == 2.0
-    place, velocity = _start(settings, plane)
-    if math.hypot(*place) < well.wall:
-        raise BadSetting(
-            f"atom: r0 = {math.hypot(*place):g} m is inside the core; start at b - d = {well.wall:g} m or beyond."
-        )
+    place, velocity = start(settings, well, plane)
     return found(lambda: motion(well, m, place, velocity, plane))
 
 
-def _start(settings: Settings, plane: bool) -> tuple[tuple[float, float], tuple[float, float]]:
+def start(settings: Settings, well: Well, plane: bool) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Place (m) and velocity (m/s) at the start, (x, y). Raises BadSetting for what is inside the core or has no such components."""
     r, v = settings["r0"], settings["v0"]
     place = r if isinstance(r, tuple) else (r, 0.0)
     velocity = v if isinstance(v, tuple) else ((0.0, v) if plane else (v, 0.0))
@@ -57,6 +54,10 @@ def _start(settings: Settings, plane: bool) -> tuple[tuple[float, float], tuple[
         )
     if place == (0.0, 0.0) or (not plane and place[0] < 0.0):
         raise BadSetting("atom: the molecule is at the origin; start at a positive distance from it.")
+    if math.hypot(*place) < well.wall:
+        raise BadSetting(
+            f"atom: r0 = {math.hypot(*place):g} m is inside the core; start at b - d = {well.wall:g} m or beyond."
+        )
     return (place[0], place[1]), (velocity[0], velocity[1])
 
 

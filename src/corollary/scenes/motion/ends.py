@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from corollary.scenes.constraint import State
+from corollary.scenes.constraint import Constraint, State
 from corollary.scenes.motion.path import Trajectory
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Mode, System
@@ -12,6 +12,8 @@ from corollary.scenes.run import BadSetting
 
 # An overlap has to be so many roundings of a place deep.
 FINEST_OVERLAP = 1e4
+# A speed along a rod that is such a part of those of its ends is what rounding leaves: it is taken out.
+PARTING = 1e-6
 
 
 def refuse_bad_start(system: System, start: State, sizes: Sizes) -> None:
@@ -28,6 +30,23 @@ def refuse_bad_start(system: System, start: State, sizes: Sizes) -> None:
             raise BadSetting(
                 f"{name}: {constraint.name} starts {abs(gap):.3g} m where it cannot be; move it."
             )
+        if constraint.two_sided:
+            _refuse_parting(system, start, sizes, constraint)
+
+
+def _refuse_parting(system: System, start: State, sizes: Sizes, rod: Constraint) -> None:
+    """Raises BadSetting where the ends of a rod leave or near each other by more than rounding of what moves them."""
+    scene, axes = system.scene, system.scene.axes
+    gained = system.gains(0.0, start, start)
+    fast = sum(math.hypot(*scene.bodies[i].velocity) for i in rod.bodies)
+    pulled = max(abs(gained[axes * i + axis]) for i in rod.bodies for axis in range(axes))
+    long = math.dist(*(scene.bodies[i].place for i in rod.bodies))
+    rate = system.rate(0.0, start, rod)
+    if abs(rate) > PARTING * (fast + math.sqrt(pulled * long)) + sizes.speed:
+        raise BadSetting(
+            f"{scene.name}: the ends of {rod.name} {'part' if rate > 0.0 else 'near each other'} with {abs(rate):.3g} m/s at the start, "
+            "which it cannot let them do; give them velocities that agree along it."
+        )
 
 
 def hit_in_doubt(system: System, path: Trajectory, mode: Mode, slow: float) -> bool:

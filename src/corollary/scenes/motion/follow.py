@@ -168,10 +168,12 @@ class Follower:
     def _met(self, guards: Guards, stretch: Stretch, slope: Slope, index: int, part: float) -> Mode:
         """Go to where a guard falls, exactly: the step is taken again to end there; then what follows from it."""
         one, guard = guards.one(index), guards.names[index]
+        self._refuse_undecided(guard, stretch)
         lasts = self.steps.landing(guards.landing(index), stretch, slope, part)
         pieces = self.steps.pieces(stretch, slope, lasts)
-        if guard.kind == "event":
-            # The law beyond is to be met by the next step: no event is left on its own edge.
+        if guard.kind == "event" or (guard.kind == "break" and not pieces):
+            # The law beyond is to be met by the next step: no event is left on its own edge, and what a force that sets in abruptly
+            # breaks loose is to feel it.
             ahead = 1e-16 * max(stretch.lasts, 1e-300)
             while ahead < 1e-3 * stretch.lasts:
                 end = pieces[-1] if pieces else stretch
@@ -197,6 +199,22 @@ class Follower:
         )
         self._refuse_hopeless(guard, speed)
         return self._after(guards, index)
+
+    def _refuse_undecided(self, guard: Guard, stretch: Stretch) -> None:
+        """Raises GuardFailed where bodies stay at the very edge of a force, as two ends of a spring of some length at one place."""
+        if guard.kind != "event":
+            return
+        event = self.system.events[guard.number]
+        least = 8.0 * math.ulp(self.sizes.long)
+        short = stretch.lasts * self.sizes.fast < 1e3 * least
+        if event.turn or event.of_speed or short:
+            return
+        if any(abs(event.value(y)) > least for y in (stretch.before, stretch.after)):
+            return
+        raise GuardFailed(
+            f"{self.scene.name}: from {stretch.begin:.6g} s on bodies stay at the very place where a force jumps (both ends of a spring "
+            "at one place, a body on the edge of a well): which way it acts is not decided. Give the bodies radii, or let them pass."
+        )
 
     def _refuse_hopeless(self, guard: Guard, speed: float) -> None:
         """Raises GuardFailed where happenings come so fast, one after the other, that the end is not reached."""

@@ -80,8 +80,9 @@ def _outward(scene: Scene, y: Sequence[float]) -> float:
 
 def flat(scene: Scene, path: Trajectory) -> bool:
     """Whether the distance of the first body never changes by more than errors of steps: on a circle nothing turns."""
-    least = path.near * path.fast
-    return all(abs(_outward(scene, y)) <= least for each in path.stretches for y in each.sampled())
+    states = [y for each in path.stretches for y in each.sampled()]
+    least = path.near * max((math.hypot(*velocity(scene, y, 0)) for y in states), default=0.0)
+    return all(abs(_outward(scene, y)) <= least for y in states)
 
 
 def _inside(scene: Scene, stretch: Stretch, along: Value) -> list[Turn]:

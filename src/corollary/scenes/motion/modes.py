@@ -72,9 +72,11 @@ class Moment:
                     self.y[j] -= x
 
     def _near(self) -> list[int]:
-        """The constraints whose gap is closed."""
+        """The constraints whose gap is closed, as far as the places tell, which may have got far from where they began."""
         known = enumerate(self.system.constraints)
-        return [i for i, c in known if c.two_sided or c.gap(self.time, self.y) <= self.sizes.gap]
+        least = 16.0 * math.ulp(max(map(abs, self.y[: self.system.count])))
+        closed = max(self.sizes.gap, least)
+        return [i for i, c in known if c.two_sided or c.gap(self.time, self.y) <= closed]
 
     def _rate(self, i: int) -> float:
         return self.system.rate(self.time, self.y, self.system.constraints[i])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import assert_never
 
 from corollary.scenes.conserved import impulses, momentum
@@ -13,6 +14,9 @@ from corollary.scenes.motion.path import Trajectory
 from corollary.scenes.rows import spin
 from corollary.scenes.run import BadSetting, Observable, Observed, Outcome
 from corollary.scenes.scene import Scene, overlap, pairs, place, start_of, velocity
+
+# Returns whose times differ by a larger share are no period.
+UNEQUAL = 1e-6
 
 
 def outcome(scene: Scene, path: Trajectory) -> Outcome:
@@ -106,7 +110,7 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
                 raise BadSetting(
                     f"{scene.name}: the distance did not return twice before until = {scene.until} s."
                 )
-            return (inner[-1] - inner[0]) / (len(inner) - 1)
+            return _period(scene, path, inner)
         case Observable.IMPULSE:
             if masses_at(scene, 1.0) != masses_at(scene, 0.0):
                 raise BadSetting(
@@ -122,6 +126,17 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
             return tuple(x for time in times for x in state_at(scene, path, time)[:count])
         case _:
             assert_never(what)
+
+
+def _period(scene: Scene, path: Trajectory, returns: Sequence[float]) -> float:
+    """The time between two of the returns (s). Raises BadSetting where it is another each time."""
+    lasted = [after - before for before, after in pairwise(returns)]
+    if max(lasted) - min(lasted) > UNEQUAL * max(lasted) + path.near / path.fast:
+        raise BadSetting(
+            f"{scene.name}: the distance returns after {min(lasted):.6g} s and after {max(lasted):.6g} s: there is no period. "
+            "Ask for turning points, or for a trajectory."
+        )
+    return (returns[-1] - returns[0]) / len(lasted)
 
 
 def state_at(scene: Scene, path: Trajectory, time: float) -> Sequence[float]:
