@@ -52,7 +52,7 @@ def as_line(scene: Scene) -> RowOfBodies | None:
     if (
         scene.axes != 1
         or scene.until is not None
-        or not scene.has_only(Contact, Weight)
+        or not all(isinstance(force, (Contact, Weight)) for force in scene.forces)
         or len(scene.bodies) < 2
     ):
         return None

@@ -7,9 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import Constraint, Rub, State
-from corollary.scenes.rows import spin, unit_row
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Conserves, ContactForce, Scene, overlap, seen_from
+from corollary.scenes.scene import Conserves, ContactForce, Scene, overlap, seen_from, spin, unit_row
 from corollary.scenes.sound import refuse_below
 
 
@@ -44,7 +43,7 @@ class Contact(ContactForce):
         if depth <= 0.0:
             return [0.0] * scene.axes
         apart, relative = seen_from(scene, state, a, b)
-        distance, spring = math.hypot(*apart), push(self, depth, 0.0)
+        distance, spring = math.hypot(*apart), push(self, depth)
         if self.rubs_surfaces:
             return [(spring + self.eta * growing) * x / distance for x in apart]
         return [spring * x / distance - self.eta * v for x, v in zip(apart, relative, strict=True)]
@@ -83,7 +82,7 @@ class Contact(ContactForce):
                 return [growing * (turning + spins)]
 
             def pressing(t: float, y: State, a: int = a, b: int = b) -> float:
-                return push(self, max(overlap(scene, y, a, b)[0], 0.0), 0.0)
+                return push(self, max(overlap(scene, y, a, b)[0], 0.0))
 
             yield Rub(f"bodies {a} and {b}", (a, b), rows, drift, self.mu, self.held_by, normal=pressing)
 
@@ -111,9 +110,9 @@ class Contact(ContactForce):
         return Conserves.MOMENTUM | (Conserves.NOTHING if lossy else Conserves.ENERGY)
 
 
-def push(contact: Contact, overlap: float, rate: float) -> float:
-    """How hard the bodies push each other apart (N) when their overlap (m, not negative) grows at `rate` (m/s)."""
-    return contact.k * overlap**contact.q + contact.eta * rate
+def push(contact: Contact, overlap: float) -> float:
+    """How hard the spring pushes bodies apart (N) that overlap (m, not negative)."""
+    return contact.k * overlap**contact.q
 
 
 def stored(contact: Contact, overlap: float) -> float:

@@ -8,9 +8,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import Constraint, State
-from corollary.scenes.rows import unit_row
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from, start_of
+from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from, start_of, unit_row
 from corollary.scenes.sound import refuse_below
 
 PARTING = 1e-6

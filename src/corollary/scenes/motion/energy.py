@@ -7,8 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from corollary.scenes.constraint import State
-from corollary.scenes.rows import spin
-from corollary.scenes.scene import Conserves, Force, Scene, overlap, seen_from, start_of, velocity
+from corollary.scenes.scene import Conserves, Force, Scene, overlap, seen_from, spin, start_of, velocity
 
 if TYPE_CHECKING:
     from corollary.scenes.motion.system import Mode

@@ -10,9 +10,8 @@ from corollary.scenes.conserved import impulses, momentum
 from corollary.scenes.motion.energy import energy, kinetic, masses_at
 from corollary.scenes.motion.lookup import contact_span, contact_stretches, depth_of, flat, largest, turns
 from corollary.scenes.motion.path import Trajectory
-from corollary.scenes.rows import spin
 from corollary.scenes.run import BadSetting, Observable, Observed, Outcome
-from corollary.scenes.scene import Scene, overlap, pairs, place, start_of, velocity
+from corollary.scenes.scene import Scene, overlap, pairs, place, spin, start_of, velocity
 
 
 def outcome(scene: Scene, path: Trajectory) -> Outcome:
