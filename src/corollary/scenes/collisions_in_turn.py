@@ -6,9 +6,8 @@ import math
 from collections.abc import Mapping
 
 from corollary.scenes.definition import Settings, numbers
-from corollary.scenes.run import Model, Observed, Run, by_relative_errors
+from corollary.scenes.run import STEPS, Model, Observed, Run, by_relative_errors
 
-STEPS = "Newton's second law, step by step"
 ONE_BY_ONE = "momentum at every collision, one after the other"
 
 

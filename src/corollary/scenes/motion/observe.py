@@ -6,8 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import assert_never
 
-from corollary.scenes.conserved import impulses, momentum
-from corollary.scenes.motion.energy import energy, kinetic, masses_at
+from corollary.scenes.motion.energy import energy, impulses, kinetic, masses_at, momentum
 from corollary.scenes.motion.lookup import contact_span, contact_stretches, depth_of, flat, largest, turns
 from corollary.scenes.motion.path import Trajectory
 from corollary.scenes.run import BadSetting, Observable, Observed, Outcome
