@@ -12,10 +12,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from numbers import Real
 
-from corollary.scenes.closed_forms import in_a_plane, in_a_well, round_a_centre
+from corollary.scenes.closed_forms import in_a_plane, in_a_well, on_a_line, round_a_centre
 from corollary.scenes.collision import ROUNDING
 from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, momentum, never_meets
-from corollary.scenes.on_a_line import on_a_line
 from corollary.scenes.refused import OWN_FAILS
 from corollary.scenes.run import (
     DEARER,

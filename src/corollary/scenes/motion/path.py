@@ -157,7 +157,3 @@ class Trajectory:
         if 0.0 < part < 1.0 and low not in self.bends:
             self.bends[low] = stretch.bent(self.count) * stretch.lasts > 0.2 * self.allowed
         return stretch.again(part) if self.bends.get(low) else stretch.at(part)
-
-    def lasted(self, first: int, last: int) -> float:
-        """The time (s) from the begin of one stretch to the end of another, added up: no digits are lost to the time before."""
-        return math.fsum(stretch.lasts for stretch in self.stretches[first : last + 1])
