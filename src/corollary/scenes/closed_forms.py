@@ -20,7 +20,7 @@ from corollary.scenes.models.certain import Balls, Evaluated, found, sign
 from corollary.scenes.models.pair import Pair, refuse_too_soft
 from corollary.scenes.models.two_bodies import collision
 from corollary.scenes.row import RowOfBodies
-from corollary.scenes.run import BadSetting, Observable, Observed, Run, by_relative_errors, components
+from corollary.scenes.run import BadSetting, Observable, Observed, Run, components
 from corollary.scenes.scene import Scene
 
 OF_BODIES_ALONE = {Observable.IMPULSE, Observable.MOMENTUM, Observable.ENERGY}
@@ -83,53 +83,29 @@ def as_line(scene: Scene) -> RowOfBodies | None:
     )
 
 
-def _kinetic(line: RowOfBodies, velocities: tuple[float, ...]) -> float:
-    return sum(0.5 * m * v * v for m, v in zip(line.masses, velocities, strict=True) if not math.isinf(m))
-
-
-def _alone(line: RowOfBodies, after: tuple[float, ...]) -> dict[Observable, Observed]:
-    """What velocities say of bodies on which nothing acts but each other."""
-    loose = [
-        (m, u, v) for m, u, v in zip(line.masses, line.velocities, after, strict=True) if not math.isinf(m)
-    ]
-    return {
-        Observable.IMPULSE: tuple(m * (v - u) for m, u, v in loose),
-        Observable.MOMENTUM: (math.fsum(m * v for m, _, v in loose),),
-        Observable.ENERGY: _kinetic(line, after),
-    }
-
-
-def _scales(line: RowOfBodies) -> dict[str, float]:
-    """The sizes that rounding and steps are a share of: what came in, not what is left of it."""
-    fast = max(map(abs, line.velocities))
-    heavy = max(m for m in line.masses if not math.isinf(m))
-    return {
-        "velocities": fast,
-        "impulse": heavy * fast,
-        "momentum": heavy * fast,
-        "energy_ratio": 1.0,
-    }
-
-
 def _collided(line: RowOfBodies, found: Collided, observe: Collection[Observable]) -> Run:
     result = found.result
-    before = _kinetic(line, line.velocities)
-    known: dict[Observable, tuple[Observed, str]] = {
-        Observable.VELOCITIES: (result.velocities, "velocities"),
-        Observable.DURATION: (result.duration, "duration"),
-        Observable.LARGEST_OVERLAP: (max(result.overlaps), "overlaps"),
-        Observable.PEAK_FORCE: (max(result.forces), "forces"),
-        Observable.ENERGY_RATIO: (
-            _kinetic(line, result.velocities) / before if before else math.inf,
-            "velocities",
-        ),
-        **{what: (value, "velocities") for what, value in _alone(line, result.velocities).items()},
+    loose = [
+        (m, u, v)
+        for m, u, v in zip(line.masses, line.velocities, result.velocities, strict=True)
+        if not math.isinf(m)
+    ]
+    before, after = sum(0.5 * m * u * u for m, u, _ in loose), sum(0.5 * m * v * v for m, _, v in loose)
+    known: dict[Observable, Observed] = {
+        Observable.VELOCITIES: result.velocities,
+        Observable.DURATION: result.duration,
+        Observable.LARGEST_OVERLAP: max(result.overlaps),
+        Observable.PEAK_FORCE: max(result.forces),
+        Observable.ENERGY_RATIO: after / before if before else math.inf,
+        Observable.IMPULSE: tuple(m * (v - u) for m, u, v in loose),
+        Observable.MOMENTUM: (math.fsum(m * v for m, _, v in loose),),
+        Observable.ENERGY: after,
     }
-    observed = {o.value: known[o][0] for o in observe}
-    errors = {o.value: found.errors.get(known[o][1], 0.0) for o in observe}
-    return by_relative_errors(
-        observed, errors, found.model, found.why, found.spent, result.outcome, _scales(line), found.warnings
-    )
+    # Rounding and steps are a share of what came in, not of what is left of it.
+    fast = max(map(abs, line.velocities))
+    thrown = max(m for m, _, _ in loose) * fast
+    scales = {"velocities": fast, "impulse": thrown, "momentum": thrown, "energy_ratio": 1.0}
+    return found.observed({o.value: known[o] for o in observe}, scales)
 
 
 def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:

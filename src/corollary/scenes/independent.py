@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
-from corollary.scenes.collisions_in_turn import chain, rocket, second_run
+from corollary.scenes.collisions_in_turn import chain, cradle, rocket, second_run, two_blocks, wall
 from corollary.scenes.definition import Settings, numbers, one
 from corollary.scenes.falls_and_swings import bouncing_ball, pendulum_block
 from corollary.scenes.forces.absorption import Absorption
@@ -16,7 +16,6 @@ from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.spring import FADING, Spring, catching
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
-from corollary.scenes.rows_in_steps import cradle, two_blocks, wall
 from corollary.scenes.run import STEPS, BadSetting, Observable, Observed, Run, by_relative_errors, components
 from corollary.scenes.scene import Body, Force, Scene
 
