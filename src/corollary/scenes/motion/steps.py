@@ -11,7 +11,6 @@ from collections.abc import Callable
 import numpy as np
 from scipy.integrate import DOP853, Radau
 
-from corollary.scenes.motion.failing import refuse_failing
 from corollary.scenes.motion.guards import Guards
 from corollary.scenes.motion.isolation import (
     POINTS,
@@ -21,6 +20,7 @@ from corollary.scenes.motion.isolation import (
     first_fall,
     root_of,
 )
+from corollary.scenes.motion.own_forces import refuse_failing
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Mode, Slope, System
