@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from corollary.scenes.constraint import Constraint, State
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from, start_of, unit_row
-from corollary.scenes.sound import refuse_below
+from corollary.scenes.sound import refuse_below_zero
 
 PARTING = 1e-6
 """A speed along a rod that is such a part of those of its ends is what rounding by hand leaves: it is taken out."""
@@ -113,7 +113,7 @@ class String(Link):
 
     def fits(self, scene: Scene) -> None:
         length = self.span(scene)
-        refuse_below(scene.name, self, least={"restitution": 0.0})
+        refuse_below_zero(scene.name, self, least=("restitution",))
         if self.restitution > 1.0:
             raise BadSetting(
                 f"{scene.name}: String with restitution = {self.restitution:g}: it must be at most 1."
