@@ -121,11 +121,11 @@ def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     compiled, units, allowed = both_ways.wanted(), natural_units(line), two_runs(tolerance)
     if units is None:
         return Collided(regularised.collide(line), {}, "conservation", "nothing moves toward anything", 0)
-    laid = regularised.laid_out(in_units(line, units), compiled)
+    laid = regularised.LaidOut(in_units(line, units), compiled)
     tell(0.0)
-    fine = regularised.follow(laid, allowed[1])  # first, for it may need too many steps
+    fine = laid.follow(allowed[1])  # first, for it may need too many steps
     tell(0.6)
-    coarse = regularised.follow(laid, allowed[0])
+    coarse = laid.follow(allowed[0])
     tell(1.0)
     if coarse.outcome != fine.outcome:
         raise GuardFailed(

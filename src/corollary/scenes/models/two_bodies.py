@@ -184,16 +184,12 @@ def _evaluated(
     why_contact: str,
 ) -> Evaluated:
     loose = [(arb(m), u, v) for m, u, v in zip(masses, before, then, strict=True) if not math.isinf(m)]
-    had, has = arb(0), arb(0)
-    for m, u, v in loose:
-        had, has = had + m * u * u / 2, has + m * v * v / 2
-    total = arb(0)
-    for m, _, v in loose:
-        total += m * v
+    had = sum((m * u * u / 2 for m, u, _ in loose), arb(0))
+    has = sum((m * v * v / 2 for m, _, v in loose), arb(0))
     values: dict[str, Balls] = {
         "velocities": then,
         "impulse": tuple(m * (v - u) for m, u, v in loose),
-        "momentum": (total,),
+        "momentum": (sum((m * v for m, _, v in loose), arb(0)),),
         "energy": has,
         "energy_ratio": has / had if sign(had) else arb(1),
         "largest_overlap": hit.overlap,
