@@ -20,7 +20,7 @@ from corollary.scenes.models.certain import Balls, Evaluated, found, sign
 from corollary.scenes.models.pair import Pair, refuse_too_soft
 from corollary.scenes.models.two_bodies import collision
 from corollary.scenes.row import RowOfBodies
-from corollary.scenes.run import BadSetting, Observable, Observed, Run, components
+from corollary.scenes.run import Observable, Observed, Run, components
 from corollary.scenes.scene import Scene
 
 OF_BODIES_ALONE = {Observable.IMPULSE, Observable.MOMENTUM, Observable.ENERGY}
@@ -134,12 +134,7 @@ def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) 
             return None
     (ax, ay), (bx, by), (ua, va), (ub, vb) = a.place, b.place, a.velocity, b.velocity
     pair = Pair(a.mass, b.mass, (bx - ax, by - ay), ((ua, va), (ub, vb)), reach, contact)
-    try:
-        run = collided(pair, tolerance)
-    except OverflowError:
-        raise BadSetting(
-            f"{scene.name}: with these numbers the range of a computer is left; choose milder ones."
-        ) from None
+    run = collided(pair, tolerance)
     of_each = replace(run, measured=run.measured | {"impulse": run.measured["impulses"]})
     return of_each.only(o.value for o in observe)
 

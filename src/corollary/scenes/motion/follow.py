@@ -225,11 +225,12 @@ class Follower:
                     "Give them one, or radius zero, or name them in passes=…"
                 )
             case "event":
-                event = self.system.events[guard.number]
+                event, axes = self.system.events[guard.number], self.scene.axes
                 if event.turn is None:
                     sides[guard.number] = -sides[guard.number]
                 else:
-                    self._turn(moment, guard.number)
+                    start = self.system.count + axes * event.body
+                    moment.y[start : start + axes] = event.turn(moment.y)
             case "release":
                 moment.barred_constraints = frozenset({guard.number})
             case "break":
@@ -237,12 +238,6 @@ class Follower:
             case "hit" | "stop":
                 pass
         return self._decide(moment, tuple(touching), tuple(sides))
-
-    def _turn(self, moment: Moment, number: int) -> None:
-        event, axes = self.system.events[number], self.scene.axes
-        start = self.system.count + axes * event.body
-        if event.turn is not None:
-            moment.y[start : start + axes] = event.turn(moment.y)
 
     def _drifted(self, mode: Mode) -> bool:
         """Whether steps have moved bodies off what holds them by more than is allowed to one."""

@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from corollary.scenes.constraint import State
-from corollary.scenes.motion.clusters import clusters
+from corollary.scenes.integrate.contact_motion import NEAREST
 from corollary.scenes.motion.complementarity import normal_force
 from corollary.scenes.motion.isolation import minima
 from corollary.scenes.motion.sizes import Sizes
@@ -19,8 +19,6 @@ from corollary.scenes.scene import pairs, seen_from
 
 Value = Callable[[float, State], float]
 Kind = Literal["touch", "overlap", "soft", "hit", "event", "release", "break", "stop"]
-# Centres nearer than this share of the reach: no contact law means anything there.
-NEAREST = 1e-3
 # What friction holds to within this share of all it can is at its limit.
 EXHAUSTED = 1e-6
 
@@ -124,7 +122,7 @@ class Guards:
         items, forces, _ = self.system.held(time, y, self.since, self.mode)
         held, rubbed = [i for i, s in enumerate(self.mode.held) if s == "on"], self.mode.rubbed
         active = [k for k, s in enumerate(rubbed) if s != "off"]
-        together = next(own for _, own in clusters(self.system, time, y, held, active) if number in own)
+        together = next(own for _, own in self.system.clusters(time, y, held, active) if number in own)
         found = {k: way for k in together if isinstance(way := rubbed[k], tuple)}
         for k, at in self.sticks:
             z, most = forces.multipliers[at], items[at].static * normal_force(items, forces, at)

@@ -8,7 +8,6 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from corollary.scenes.motion.clusters import clusters
 from corollary.scenes.motion.complementarity import Item, Status, answer, redirected, settled
 from corollary.scenes.motion.reversal import left_over
 from corollary.scenes.motion.sizes import Sizes
@@ -81,7 +80,7 @@ class Moment:
 
     def _settle_hits(self) -> None:
         system, inverse = self.system, self.system.inverse(self.time)
-        for group, _ in clusters(system, self.time, self.y, self._near(), []):
+        for group, _ in system.clusters(self.time, self.y, self._near(), []):
             rates = {i: self._rate(i) for i in group}
             hit = [i for i in group if rates[i] < -self.sizes.speed and not system.constraints[i].two_sided]
             if not hit:
@@ -128,7 +127,7 @@ class Moment:
             for k, rub in enumerate(system.rubs)
             if (self._presses(k, touching) if rub.normal else system.pressed[k] in resting)
         ]
-        for group, rubs in clusters(system, self.time, self.y, resting, rubbing):
+        for group, rubs in system.clusters(self.time, self.y, resting, rubbing):
             self._settle_group(group, rubs, gains, held, rubbed)
         creeps = tuple(
             0.1 * sizes.rest if isinstance(s, tuple) and len(s) == 2 and self._creeps(k) else 0.0

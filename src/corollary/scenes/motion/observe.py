@@ -36,15 +36,8 @@ def _at_rest(scene: Scene, path: Trajectory) -> bool:
         return False
     held = any(s in ("on", "stick") for s in (*path.mode.held, *path.mode.rubbed))
     loose = [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]
-    fast = (
-        max(
-            abs(v)
-            for stretch in path.stretches or ()
-            for v in stretch.before[scene.axes * len(scene.bodies) :]
-        )
-        if path.stretches
-        else 1.0
-    )
+    count = scene.axes * len(scene.bodies)
+    fast = max((abs(v) for stretch in path.stretches for v in stretch.before[count:]), default=1.0)
     return held and all(math.hypot(*velocity(scene, path.state, i)) <= 1e-9 * fast for i in loose)
 
 

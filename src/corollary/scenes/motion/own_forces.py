@@ -29,6 +29,7 @@ AHEAD = 1e-6
 
 
 def _own(scene: Scene) -> list[Force]:
+    """Those of functions, and of classes that somebody else wrote."""
     return [force for force in scene.forces if force.may_be_brief]
 
 

@@ -226,6 +226,35 @@ class System:
             gained[j] -= z * m
         return True
 
+    def clusters(
+        self, time: float, y: State, constraints: Sequence[int], rubs: Sequence[int]
+    ) -> Iterator[tuple[list[int], list[int]]]:
+        """What has to be settled together, constraints and rubs by number: no group has a movable body in common with another."""
+        movable = self.inverse(time) > 0.0
+        nodes = [(i, -1) for i in constraints] + [(-1, k) for k in rubs]
+        moved: list[Array] = []
+        for i, k in nodes:
+            rows = [self.constraints[i].row(time, y)] if k < 0 else self.rubs[k].rows(time, y)
+            moved.append((np.abs(np.array(rows)).sum(axis=0) > 0.0) & movable)
+        # A velocity row across a wall reaches the body's other components, too: what it shares is the body.
+        bodies = [frozenset(self._body(j) for j in np.flatnonzero(each).tolist()) for each in moved]
+        left = list(range(len(nodes)))
+        while left:
+            group = [left.pop(0)]
+            reached = set(bodies[group[0]])
+            while more := [j for j in left if reached & bodies[j]]:
+                group += more
+                left = [j for j in left if j not in more]
+                reached.update(*(bodies[j] for j in more))
+            yield (
+                [nodes[j][0] for j in group if nodes[j][1] < 0],
+                [nodes[j][1] for j in group if nodes[j][1] >= 0],
+            )
+
+    def _body(self, component: int) -> int:
+        """The body to which a component of the generalized velocity belongs."""
+        return component // self.scene.axes if component < self.count else component - self.count
+
     def held(self, time: float, y: State, since: State, mode: Mode) -> tuple[list[Item], Answer, list[float]]:
         """What holds in a mode, with which forces; and the accelerations without them."""
         gained = self.gains(time, y, since, mode.touching)
