@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from corollary.scenes.catalogue import run
-from corollary.scenes.models.bounce import contact_time
+from corollary.scenes.models.two_bodies import contact_time
 
 from .case import ONCE, Answer, Case, Program, Route, State
 from .references import BALL

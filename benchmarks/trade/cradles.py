@@ -6,7 +6,7 @@ import importlib.util
 
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import regularised
-from corollary.scenes.models.bounce import contact_time
+from corollary.scenes.models.two_bodies import contact_time
 from corollary.scenes.row import RowOfBodies, RowResult
 
 from .case import ONCE, TOLERANCES, Answer, Case, Program, Reference, Route, State

@@ -12,7 +12,6 @@ from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.runge_kutta import Tableau
 from corollary.scenes.integrate.single_contact import follow
-from corollary.scenes.models.bounce import contact_time
 from corollary.scenes.models.certain import double_of
 from corollary.scenes.models.pair import (
     Pair,
@@ -22,6 +21,7 @@ from corollary.scenes.models.pair import (
     meet,
     turned_and_lasted,
 )
+from corollary.scenes.models.two_bodies import contact_time
 
 from .case import ONCE, TOLERANCES, Answer, Case, Program, Reference, Route, State
 from .phases import through

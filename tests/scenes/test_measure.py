@@ -12,7 +12,7 @@ from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
-from corollary.scenes.models.bounce import contact_time
+from corollary.scenes.models.two_bodies import contact_time
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, Observable, components
 from corollary.scenes.scene import Body, Scene

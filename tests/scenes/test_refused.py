@@ -21,8 +21,7 @@ from corollary.scenes.forces.thrust import Thrust
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
-from corollary.scenes.independent import composed
-from corollary.scenes.plan import plan, play
+from corollary.scenes.plan import followed, plan, play
 from corollary.scenes.progress import reported_to
 from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.run import Observable as O
@@ -330,7 +329,7 @@ LATE = [
 
 @pytest.mark.parametrize(("scene", "says"), LATE)
 def test_a_function_that_fails_on_the_way_is_refused_by_name(scene, says):
-    for ask in (lambda: play(scene, V), lambda: composed(scene, {"velocities"}, 1e-10)):
+    for ask in (lambda: play(scene, V), lambda: followed(scene, {"velocities"}, 1e-10)):
         with pytest.raises(GuardFailed, match=says):
             ask()
 

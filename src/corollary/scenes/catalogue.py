@@ -101,20 +101,17 @@ def _enclosed(name: str, scene: SceneDefinition, settings: Mapping[str, Observed
 
 def _finite(scene: str, found: Run) -> Run:
     """Without the values that are no numbers of a computer, and with a warning for each. Raises BadSetting when none is left."""
-    finite = {
-        name: each
+    lost = [
+        name
         for name, each in found.measured.items()
-        if all(map(math.isfinite, (*components(each.value), *components(each.error))))
-    }
-    if len(finite) == len(found.measured) > 0:
-        return found
-    lost = [name for name in found.measured if name not in finite]
-    if not finite:
+        if not all(map(math.isfinite, (*components(each.value), *components(each.error))))
+    ]
+    if len(lost) == len(found.measured):
         raise BadSetting(
             f"{scene}: with these settings numbers leave the range of a computer; choose milder ones."
         )
     if found.outcome == "sticks" and "duration" in lost:
         lost.remove("duration")
-        found = replace(found, warnings=(*found.warnings, NEVER_PART))
-    warnings = tuple(f"{name} is beyond the numbers of a computer." for name in lost)
-    return replace(found, measured=finite, warnings=(*found.warnings, *warnings))
+        rest = found.only(name for name in found.measured if name != "duration")
+        found = replace(rest, warnings=(*found.warnings, NEVER_PART))
+    return found.without(lost)

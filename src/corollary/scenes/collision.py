@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
@@ -19,7 +20,7 @@ from corollary.scenes.row import (
     in_units,
     natural_units,
 )
-from corollary.scenes.run import GuardFailed, Model, two_runs
+from corollary.scenes.run import GuardFailed, Model, Observed, Run, by_relative_errors, two_runs
 
 # What rounding leaves of a closed formula.
 ROUNDING = 2e-15
@@ -31,6 +32,8 @@ SHARED = 0.2
 STRAINED = 0.5
 # In longer rows of springs a sum of normal modes costs more than steps.
 MOST_FOR_NORMAL_MODES = 20
+SEEN_AS = {"duration": "duration", "largest_overlap": "overlaps", "peak_force": "forces"}
+"""Which error is that of an observable; the others are worked out from the velocities."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +49,18 @@ class Collided:
     why: str
     spent: int
     warnings: tuple[str, ...] = ()
+
+    def observed(
+        self,
+        values: Mapping[str, Observed],
+        scales: Mapping[str, float],
+        errors: Mapping[str, float] | None = None,
+    ) -> Run:
+        """What is observed (SI), each with the error of what it is, or was worked out from; or with these `errors`, relative to `scales`."""
+        off = errors or {name: self.errors.get(SEEN_AS.get(name, "velocities"), 0.0) for name in values}
+        return by_relative_errors(
+            values, off, self.model, self.why, self.spent, self.result.outcome, scales, self.warnings
+        )
 
 
 @lru_cache(maxsize=1024)
@@ -106,11 +121,11 @@ def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     compiled, units, allowed = both_ways.wanted(), natural_units(line), two_runs(tolerance)
     if units is None:
         return Collided(regularised.collide(line), {}, "conservation", "nothing moves toward anything", 0)
-    laid = regularised.laid_out(in_units(line, units), compiled)
+    laid = regularised.LaidOut(in_units(line, units), compiled)
     tell(0.0)
-    fine = regularised.follow(laid, allowed[1])  # first, for it may need too many steps
+    fine = laid.follow(allowed[1])  # first, for it may need too many steps
     tell(0.6)
-    coarse = regularised.follow(laid, allowed[0])
+    coarse = laid.follow(allowed[0])
     tell(1.0)
     if coarse.outcome != fine.outcome:
         raise GuardFailed(

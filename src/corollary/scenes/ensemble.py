@@ -105,20 +105,20 @@ def _check(name: str, setting: Setting, values: Array) -> None:
         raise BadSetting(f"{name}: {setting.name} = {worst:g} cannot be.")
 
 
-def _kernel(name: str) -> tuple[Any, bool]:
+def _kernel(module: str) -> tuple[Any, bool]:
     if both_ways.available():
         with suppress(ImportError):  # numba may be there and broken
-            return getattr(both_ways.compiled("members"), name), True
-    return getattr(both_ways.as_written("members"), name), False
+            return both_ways.compiled(module).follow_each, True
+    return both_ways.as_written(module).follow_each, False
 
 
-def _called(kernel: str, arrays: list[Array], *rest: Any, room: Array) -> int:
-    """The kernel on arrays that it changes; in plain Python on lists that are written back."""
-    call, fast = _kernel(kernel)
-    if fast:
-        return call(*arrays, *rest, room)
+def _followed(module: str, arrays: list[Array], *rest: Any, room: tuple[int, int]) -> int:
+    """The kernel of a module on arrays that it changes; in plain Python on lists that are written back."""
+    kernel, compiled = _kernel(module)
+    if compiled:
+        return kernel(*arrays, *rest, np.zeros(room))
     lists = [array.tolist() for array in arrays]
-    spent = call(*lists, *rest, room.tolist())
+    spent = kernel(*lists, *rest, np.zeros(room).tolist())
     for array, changed in zip(arrays, lists, strict=True):
         array[...] = changed
     return spent
@@ -143,23 +143,12 @@ def _cradle(settings: dict[str, Array], n: int, tolerances: tuple[float, float])
     runs: list[tuple[Array, ...]] = []
     spent = 0
     for allowed in tolerances:
-        y, deepest, hardest = start.copy(), np.zeros((n, count - 1)), np.zeros((n, count - 1))
-        lasted, strains, ends, openings = np.zeros((4, n))
-        arrays = [y, np.zeros(count - 1, dtype=bool), inverse, np.zeros(count), stiff]
-        arrays += [
-            np.full(count - 1, q),
-            np.zeros(count - 1),
-            power,
-            deepest,
-            hardest,
-            lasted,
-            strains,
-            openings,
-            ends,
-        ]
-        spent += _called(
-            "rows", arrays, allowed, MOST_COMPILED, room=np.zeros((row_motion.ROOM, 2 * count - 1))
-        )
+        y, deepest, hardest, seen = start.copy(), np.zeros_like(stiff), np.zeros_like(stiff), np.zeros((n, 4))
+        arrays = [y, np.zeros(count - 1, dtype=bool), inverse, np.zeros(count), stiff, np.full(count - 1, q)]
+        arrays += [np.zeros(count - 1), power, deepest, hardest, seen]
+        room = row_motion.ROOM, 2 * count - 1
+        spent += _followed("row_motion", arrays, allowed, MOST_COMPILED, room=room)
+        lasted, strains, openings, ends = seen.T
         runs.append((ends, openings, strains, y[:, ::2], lasted, deepest.max(axis=1), hardest.max(axis=1)))
     (ended, touched, _, *coarse), (ends, openings, strains, *fine) = runs
     weights = 1.0 / inverse
@@ -256,17 +245,11 @@ def _spheres(settings: dict[str, Array], n: int, tolerances: tuple[float, float]
     runs: list[tuple[Array, ...]] = []
     smoothing, spent = smoothing_power(Contact(1.0, q)), 0
     for allowed in tolerances:
-        state = np.tile([0.0, 1.0, 1.0, 0.0, 0.0], (n, 1))
-        overlaps, forces, ends = np.zeros(n), np.zeros(n), np.zeros(n)
-        room = np.zeros((contact_motion.ROOM, contact_motion.SIZE))
-        call, compiled = _kernel("contacts")
-        if compiled:
-            spent += call(state, groups, smoothing, overlaps, forces, ends, allowed, MOST_STEPS, room)
-        else:
-            lists = [a.tolist() for a in (state, overlaps, forces, ends)]
-            s, o, f, e = lists
-            spent += call(s, groups.tolist(), smoothing, o, f, e, allowed, MOST_STEPS, room.tolist())
-            state, overlaps, forces, ends = map(np.array, lists)
+        state, each = np.tile([0.0, 1.0, 1.0, 0.0, 0.0], (n, 1)), np.zeros((n, 3))
+        room = contact_motion.ROOM, contact_motion.SIZE
+        arrays = [state, groups, each]
+        spent += _followed("contact_motion", arrays, smoothing, allowed, MOST_STEPS, room=room)
+        overlaps, forces, ends = each.T
         stuck = (ends == contact_motion.STICKS) | ~meets
         turned = angle + state[:, contact_motion.TURN]
         out, side = -state[:, contact_motion.P] * inward, spin / reach * state[:, contact_motion.SPIN]

@@ -8,9 +8,8 @@ import math
 from collections.abc import Callable, Sequence
 
 from corollary.scenes.collision import SAFE
-from corollary.scenes.collisions_in_turn import STEPS
 from corollary.scenes.definition import Settings, numbers
-from corollary.scenes.run import GuardFailed, Observed, Outcome, Run, by_relative_errors, two_runs
+from corollary.scenes.run import STEPS, GuardFailed, Observed, Outcome, Run, by_relative_errors, two_runs
 
 Slope = Callable[[float, Sequence[float]], Sequence[float]]
 

@@ -6,8 +6,7 @@ import math
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
-from corollary.scenes.asked import within_range
-from corollary.scenes.collisions_in_turn import STEPS, chain, rocket, second_run
+from corollary.scenes.collisions_in_turn import chain, cradle, rocket, second_run, two_blocks, wall
 from corollary.scenes.definition import Settings, numbers, one
 from corollary.scenes.falls_and_swings import bouncing_ball, pendulum_block
 from corollary.scenes.forces.absorption import Absorption
@@ -17,8 +16,7 @@ from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.spring import FADING, Spring, catching
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
-from corollary.scenes.rows_in_steps import cradle, two_blocks, wall
-from corollary.scenes.run import BadSetting, Observable, Observed, Run, by_relative_errors, components
+from corollary.scenes.run import STEPS, BadSetting, Observable, Observed, Run, by_relative_errors, components
 from corollary.scenes.scene import Body, Force, Scene
 
 
@@ -38,23 +36,6 @@ def _after(
     run = _followed(Scene(tuple(bodies), tuple(forces), until=until), seen, tolerance, (until,))
     velocities, places = (components(run.observed[name]) for name in ("velocities", "trajectory"))
     return velocities, places, max(run.relative_error("velocities"), run.relative_error("trajectory"))
-
-
-def composed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
-    """A scene of an author's own by Newton's second law alone, until the time at which it ends; a trajectory is where bodies are then.
-
-    Raises BadSetting for what cannot be observed, for a scene without an end of which that is asked, and as the integration does.
-    """
-    known = {each.value: each for each in Observable}
-    if strange := sorted(set(observe) - known.keys()):
-        raise BadSetting(
-            f"it does not observe {', '.join(strange)}; a composed scene observes {', '.join(known)}"
-        )
-    if scene.until is None and "trajectory" in observe:
-        raise BadSetting("a trajectory is looked up where the scene ends: say until=…")
-    times = (scene.until,) if scene.until is not None else ()
-    with within_range(scene):
-        return _followed(scene, {known[name] for name in observe}, tolerance, times)
 
 
 def absorbed_drop(settings: Settings, tolerance: float) -> Run:

@@ -10,8 +10,7 @@ import numpy as np
 
 from corollary.scenes.motion.energy import energy, keeps_energy, kinetic
 from corollary.scenes.motion.follow import follow
-from corollary.scenes.motion.lookup import contact_span, flat
-from corollary.scenes.motion.observe import look, outcome, state_at
+from corollary.scenes.motion.observe import contact_span, flat, look, outcome, state_at
 from corollary.scenes.motion.path import Trajectory
 from corollary.scenes.perturbation import CHANGED, perturbed
 from corollary.scenes.progress import part

@@ -7,26 +7,31 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Generator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from numbers import Real
 
-from corollary.scenes.asked import refuse_question, within_doubles, within_range
-from corollary.scenes.closed_forms import in_a_plane, in_a_well, round_a_centre
+from corollary.scenes.closed_forms import in_a_plane, in_a_well, on_a_line, round_a_centre
 from corollary.scenes.collision import ROUNDING
-from corollary.scenes.conserved import conserved, parts_undamped
-from corollary.scenes.motion.energy import never_meets
-from corollary.scenes.on_a_line import on_a_line
+from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, momentum, never_meets
+from corollary.scenes.refused import OWN_FAILS
 from corollary.scenes.run import (
     DEARER,
+    STEPS,
     BadSetting,
+    GuardFailed,
+    Measurement,
     Model,
     Observable,
     Observed,
     Outcome,
     Run,
     by_relative_errors,
+    components,
 )
-from corollary.scenes.scene import Scene, start_of
+from corollary.scenes.scene import Conserves, Scene, overlap, pairs, start_of
+from corollary.scenes.sound import refuse_tolerance, short_text
 
 # Of a trajectory for which no times are asked.
 POINTS = 101
@@ -50,13 +55,13 @@ def plan(
     One observable that needs more does not make the others dearer. Raises BadSetting for a question that is none, a tolerance that
     cannot be held, and when no model gives one of the observables; a value that no double holds is left out, and a warning says so.
     """
-    refuse_question(scene, observe, tolerance, times)
+    _refuse_question(scene, observe, tolerance, times)
     times = _times(scene, observe, times)
     wanted = [o for o in Observable if o in observe]  # a set's order is another in every process
-    with within_range(scene):
+    with _within_range(scene):
         cheap = _cheap(scene, wanted, tolerance)
     left = [o for o in wanted if o.value not in {name for run in cheap for name in run.measured}]
-    why = "no integral of the motion gives what is asked: Newton's second law, step by step"
+    why = f"no integral of the motion gives what is asked: {STEPS}"
     models: dict[str, Model] = {name: each.model for run in cheap for name, each in run.measured.items()}
     models |= {o.value: "integration" for o in left}
 
@@ -65,9 +70,9 @@ def plan(
         if left:
             from corollary.scenes.measure import measured  # here, since it brings scipy
 
-            with within_range(scene):
+            with _within_range(scene):
                 runs = [*cheap, measured(scene, left, tolerance, why, times)]
-        return within_doubles(scene, _together(runs, [o.value for o in wanted]))
+        return _within_doubles(scene, _together(runs, [o.value for o in wanted]))
 
     if left:
         return Plan("integration", why, follow, models)
@@ -78,7 +83,7 @@ def plan(
 def _cheap(scene: Scene, wanted: Sequence[Observable], tolerance: float) -> list[Run]:
     """What is conserved, and what closed forms and collisions on a line or of a pair give: all at once where they can, else one by one."""
     known = _conserved(scene, wanted)
-    if scene.until is None and not parts_undamped(scene):
+    if scene.until is None and not _parts_undamped(scene):
         known = {}
     if len(known) == len(wanted):
         return [_at_the_start(scene, known)]
@@ -100,14 +105,39 @@ def _cheap(scene: Scene, wanted: Sequence[Observable], tolerance: float) -> list
 
 
 def _conserved(scene: Scene, wanted: Sequence[Observable]) -> dict[Observable, Observed]:
-    """What the start says; infinite where a computer cannot tell it."""
+    """What the start already says, so that no motion has to be followed for it; infinite where a computer cannot tell it."""
     known: dict[Observable, Observed] = {}
     for what in wanted:
         try:
-            known |= conserved(scene, [what])
+            value = _known_at_the_start(scene, what)
         except (OverflowError, ZeroDivisionError):
-            known[what] = math.inf
+            value = math.inf
+        if value is not None:
+            known[what] = value
     return known
+
+
+def _known_at_the_start(scene: Scene, what: Observable) -> Observed | None:
+    start = start_of(scene)
+    match what:
+        case Observable.MOMENTUM if Conserves.MOMENTUM in scene.conserves:
+            walls = any(math.isinf(body.mass) for body in scene.bodies)
+            return None if walls else momentum(scene, 0.0, start)
+        case Observable.ENERGY if keeps_energy(scene):
+            return energy(scene, 0.0, start)
+        case Observable.ENERGY_RATIO if _parts_undamped(scene) and kinetic(scene, 0.0, start) > 0.0:
+            return 1.0
+        case _:
+            return None
+
+
+def _parts_undamped(scene: Scene) -> bool:
+    """Whether the scene is undamped contacts that begin at a touch: all they take up they have given back when the bodies part."""
+    if scene.until is not None or not scene.forces or not scene.walls_at_rest:
+        return False
+    if scene.contacts != scene.forces or Conserves.ENERGY not in scene.conserves:
+        return False
+    return all(overlap(scene, start_of(scene), a, b)[0] <= 0.0 for a, b in pairs(scene))
 
 
 def _together(runs: Sequence[Run], names: Sequence[str]) -> Run:
@@ -130,6 +160,25 @@ def play(
     begin = time.perf_counter()
     found = plan(scene, observe, tolerance, times).play()
     return replace(found, scene=scene.name, seconds=time.perf_counter() - begin)
+
+
+def followed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
+    """A scene of an author's own by Newton's second law alone, until the time at which it ends; a trajectory is where bodies are then.
+
+    Raises BadSetting for what cannot be observed, for a scene without an end of which that is asked, and as the integration does.
+    """
+    from corollary.scenes.measure import measured  # here, since it brings scipy
+
+    known = {each.value: each for each in Observable}
+    if strange := sorted(set(observe) - known.keys()):
+        raise BadSetting(
+            f"it does not observe {', '.join(strange)}; a composed scene observes {', '.join(known)}"
+        )
+    if scene.until is None and "trajectory" in observe:
+        raise BadSetting("a trajectory is looked up where the scene ends: say until=…")
+    times = (scene.until,) if scene.until is not None else ()
+    with _within_range(scene):
+        return measured(scene, {known[name] for name in observe}, tolerance, STEPS, times)
 
 
 def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]) -> tuple[float, ...]:
@@ -159,3 +208,70 @@ def _at_the_start(scene: Scene, known: dict[Observable, Observed]) -> Run:
     )
     why = "all that is asked is conserved: the start says it"
     return by_relative_errors(observed, dict.fromkeys(observed, ROUNDING), "conservation", why, 0, outcome)
+
+
+def _refuse_question(
+    scene: Scene, observe: Collection[Observable], tolerance: float, times: Sequence[float]
+) -> None:
+    """Raises BadSetting where what is asked of a scene is no question."""
+    if not _are(observe, Observable):
+        names = ", ".join(f"Observable.{o.name}" for o in Observable)
+        raise BadSetting(f"{scene.name}: what is to be observed is a set of these: {names}.")
+    if not observe:
+        names = ", ".join(o.value for o in Observable)
+        raise BadSetting(f"{scene.name}: nothing is to be observed; name at least one of {names}.")
+    refuse_tolerance(scene.name, tolerance)
+    if not _are(times, Real):
+        raise BadSetting(
+            f"{scene.name}: times = {short_text(times)} must be a tuple of times in s, (1.0,) with its comma for a single one."
+        )
+
+
+def _are(given: object, kind: type) -> bool:
+    return isinstance(given, Collection) and all(isinstance(each, kind) for each in given)  # pyright: ignore[reportUnknownVariableType]
+
+
+@contextmanager
+def _within_range(scene: Scene) -> Generator[None]:
+    """Raises BadSetting where numbers leave the range of a computer, GuardFailed where a function of somebody's own fails on the way."""
+    try:
+        yield
+    except (BadSetting, GuardFailed):
+        raise
+    except OWN_FAILS as error:
+        if isinstance(error, (OverflowError, ZeroDivisionError, ValueError)):
+            raise BadSetting(
+                f"{scene.name}: with these numbers the range of a computer is left; choose milder ones."
+            ) from error
+        if not any(force.may_be_brief for force in scene.forces):  # a fault of this package's own
+            raise
+        raise GuardFailed(
+            f"{scene.name}: a function of your own fails on the way ({type(error).__name__}: {error}); mend it."
+        ) from error
+
+
+def _within_doubles(scene: Scene, run: Run) -> Run:
+    """In floats of Python's own, without the values that no double holds, and with a warning for each. Raises BadSetting when none is left.
+
+    How long a contact lasts that never ends, and how many times the energy grows of what was at rest, is infinite for another reason.
+    """
+    run = replace(run, measured={name: _in_floats(each) for name, each in run.measured.items()})
+    mean = {Observable.DURATION.value, Observable.ENERGY_RATIO.value}
+    lost = [
+        name
+        for name, each in run.measured.items()
+        if name not in mean and not all(map(math.isfinite, components(each.value)))
+    ]
+    if lost and len(lost) == len(run.measured):
+        raise BadSetting(
+            f"{scene.name}: {', '.join(lost)}: with these numbers the range of a computer is left; choose milder ones."
+        )
+    return run.without(lost)
+
+
+def _in_floats(each: Measurement) -> Measurement:
+    value, error = (
+        tuple(map(float, given)) if isinstance(given, tuple) else float(given)
+        for given in (each.value, each.error)
+    )
+    return replace(each, value=value, error=error, size=float(each.size))

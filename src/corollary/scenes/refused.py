@@ -11,7 +11,7 @@ from typing import Any, Protocol, cast
 
 from corollary.scenes.body import Body
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
-from corollary.scenes.sound import HOUSE, finite, pairs, refuse_unsound, short_text, size_of, whole
+from corollary.scenes.sound import HOUSE, PAIRS, finite, refuse_unsound, short_text, size_of, whole
 
 WRITTEN_WRONG = (AttributeError, LookupError, NameError, TypeError)
 """What a Python function raises that was written wrong, wherever it is asked."""
@@ -49,8 +49,9 @@ def refuse_parts(scene: Parts, force: type) -> None:
         _refuse_body(name, body, body.name or f"body {i}")
     for each in scene.forces:
         _refuse_values(name, each)
-    if scene.passes and (wrong := pairs(scene.passes)):
-        raise BadSetting(f"{name}: passes = {short_text(scene.passes)}: {wrong}.")
+    are_pairs, rule = PAIRS
+    if scene.passes and not are_pairs(scene.passes):
+        raise BadSetting(f"{name}: passes = {short_text(scene.passes)}: {rule}.")
     if scene.until is not None and not (finite(scene.until) and scene.until > 0.0):
         raise BadSetting(f"{name}: until = {short_text(scene.until)} s must be more than zero, and finite.")
 
@@ -103,24 +104,19 @@ def is_own(force: object) -> bool:
 
 def _refuse_values(scene: str, force: object) -> None:
     refuse_unsound(scene, force)
-    if is_own(force) and is_dataclass(force):
-        for each in fields(force):
-            _refuse_nan(scene, force, each.name)
+    for each in fields(force) if is_own(force) and is_dataclass(force) else ():
+        value: object = getattr(force, each.name)
+        numbers = cast("tuple[object, ...]", value) if isinstance(value, tuple) else (value,)
+        if any(isinstance(x, float) and math.isnan(x) for x in numbers):
+            raise BadSetting(
+                f"{scene}: {type(force).__name__} with {each.name} = {short_text(value)}: that is no number."
+            )
     try:
         hash(force)
     except TypeError:
         raise BadSetting(
             f"{scene}: {type(force).__name__} cannot be hashed: write @dataclass(frozen=True), and tuples instead of lists in it."
         ) from None
-
-
-def _refuse_nan(scene: str, force: object, name: str) -> None:
-    value: object = getattr(force, name)
-    numbers = cast("tuple[object, ...]", value) if isinstance(value, tuple) else (value,)
-    if any(isinstance(x, float) and math.isnan(x) for x in numbers):
-        raise BadSetting(
-            f"{scene}: {type(force).__name__} with {name} = {short_text(value)}: that is no number."
-        )
 
 
 def refuse_own(scene: Parts, force: Any, start: Sequence[float]) -> None:

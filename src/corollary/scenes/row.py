@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import accumulate
 
 from corollary.scenes.forces.contact import Contact, stored
@@ -120,15 +120,12 @@ def in_units(line: RowOfBodies, units: Units) -> RowOfBodies:
 def in_si(result: RowResult, units: Units) -> RowResult:
     """What was found in natural units, back in those of the line."""
     speed, overlap, force = units.speed, units.overlap, units.force
-    return RowResult(
+    return replace(
+        result,
         velocities=tuple([v * speed for v in result.velocities]),
         duration=result.duration * units.time,
         overlaps=tuple([d * overlap for d in result.overlaps]),
         forces=tuple([f * force for f in result.forces]),
-        outcome=result.outcome,
-        evaluations=result.evaluations,
-        openings=result.openings,
-        strain=result.strain,
     )
 
 

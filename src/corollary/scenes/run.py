@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import Literal
@@ -23,6 +23,7 @@ FINER = 20.0
 """How much finer that run of a scene of one's own is whose values are given than the one it is compared with."""
 
 NEVER_PART = "They never part: the contact has no duration."
+STEPS = "Newton's second law, step by step"
 
 
 class BadSetting(ValueError):
@@ -160,6 +161,12 @@ class Run:
     def only(self, names: Iterable[str]) -> Run:
         """The same run, with some of its values; those that it has not (the duration of a contact that never ends) are left out."""
         return replace(self, measured={name: self.measured[name] for name in names if name in self.measured})
+
+    def without(self, lost: Sequence[str]) -> Run:
+        """The same run without values that no double holds, and with a warning for each."""
+        warnings = (f"{name} is beyond the numbers of a computer." for name in lost)
+        found = self.only(name for name in self.measured if name not in lost)
+        return replace(found, warnings=(*self.warnings, *warnings))
 
 
 def two_runs(

@@ -225,10 +225,6 @@ class Scene:
             conserved &= force.conserves
         return conserved
 
-    def has_only(self, *kinds: type[Force]) -> bool:
-        """Whether every force is of one of these kinds."""
-        return all(isinstance(force, kinds) for force in self.forces)
-
 
 def start_of(scene: Scene) -> list[float]:
     """The state at time zero."""
@@ -244,6 +240,21 @@ def place(scene: Scene, state: State, i: int) -> State:
 def velocity(scene: Scene, state: State, i: int) -> State:
     start = scene.axes * (len(scene.bodies) + i)
     return state[start : start + scene.axes]
+
+
+def spin(scene: Scene, state: State, i: int) -> float:
+    """The spin (rad/s) of a body; zero where nothing spins."""
+    return state[2 * scene.axes * len(scene.bodies) + i] if scene.spins else 0.0
+
+
+def unit_row(scene: Scene, i: int, direction: Sequence[float], spin: float = 0.0) -> list[float]:
+    """A row over the generalized velocity: the velocity of one body along a direction, and its spin times an arm (m)."""
+    count = len(scene.bodies)
+    row = [0.0] * (count * (scene.axes + scene.spins))
+    row[scene.axes * i : scene.axes * (i + 1)] = direction
+    if scene.spins:
+        row[scene.axes * count + i] = spin
+    return row
 
 
 def seen_from(scene: Scene, state: State, a: int, b: int) -> tuple[list[float], list[float]]:

@@ -14,8 +14,8 @@ from corollary.scenes.run import BadSetting, GuardFailed
 
 HOUSE = __name__.rpartition(".")[0] + "."
 """Modules of this package: what is defined elsewhere is somebody's own."""
-Rule = Callable[[Any], str]
-"""What is wrong with a value, in words that follow the name and the value; nothing where it is right."""
+Rule = tuple[Callable[[Any], bool], str]
+"""Whether a value is right, and what it must be, in words that follow the name and the value."""
 
 
 class _Short(Repr):
@@ -52,67 +52,44 @@ def whole(number: object) -> bool:
     return not isinstance(number, bool) and (type(number) is int or isinstance(number, Integral))
 
 
-def _number(value: Any) -> str:
-    return "" if finite(value) else "it must be a finite number"
+def _row_of(of: Callable[[object], bool]) -> Callable[[Any], bool]:
+    return lambda value: isinstance(value, tuple) and all(map(of, value))  # pyright: ignore[reportUnknownArgumentType]
 
 
-def _weighs(value: Any) -> str:
-    """Mass or moment of inertia."""
-    if finite(value) or (isinstance(value, Real) and value == math.inf):
-        return ""
-    return "it must be a number, or math.inf for what nothing moves"
+def _ends(value: Any) -> bool:
+    return _row_of(whole)(value) and len(value) == 2 and value[0] != value[1]
 
 
-def _body(value: Any) -> str:
-    return "" if whole(value) else "bodies are counted from 0, in whole numbers"
-
-
-def _row(value: Any) -> str:
-    if isinstance(value, tuple) and all(map(finite, value)):  # pyright: ignore[reportUnknownArgumentType]
-        return ""
-    return "it must be a tuple of finite numbers: (1.0, 2.0), or (1.0,) with its comma on a line"
-
-
-def _bodies(value: Any) -> str:
-    if isinstance(value, tuple) and all(map(whole, value)):  # pyright: ignore[reportUnknownArgumentType]
-        return ""
-    return "it must be a tuple of bodies, which are counted from 0, in whole numbers: (0,), with its comma"
-
-
-def _ends(value: Any) -> str:
-    if _bodies(value) or len(value) != 2 or value[0] == value[1]:
-        return "it must be a tuple of two different bodies, which are counted from 0, in whole numbers"
-    return ""
-
-
-def pairs(value: Any) -> str:
-    """What is wrong with pairs of bodies, if anything."""
-    if isinstance(value, tuple) and not any(map(_ends, value)):  # pyright: ignore[reportUnknownArgumentType]
-        return ""
-    return (
-        "it must be a tuple of pairs of different bodies, which are counted from 0: ((0, 1),), with its comma"
-    )
-
-
-def _called(value: Any) -> str:
-    return "" if callable(value) else "it must be a function"
-
-
-def _text(value: Any) -> str:
-    return "" if isinstance(value, str) else "it must be a text"
-
-
+WEIGHS: Rule = (
+    lambda value: finite(value) or (isinstance(value, Real) and value == math.inf),
+    "it must be a number, or math.inf for what nothing moves",
+)
+"""Mass or moment of inertia."""
+FUNCTION: Rule = callable, "it must be a function"
+PAIRS: Rule = (
+    _row_of(_ends),
+    "it must be a tuple of pairs of different bodies, which are counted from 0: ((0, 1),), with its comma",
+)
 RULES: dict[str, Rule] = {
-    "float": _number,
-    "int": _body,
-    "str": _text,
-    "tuple[float, ...]": _row,
-    "tuple[int, int]": _ends,
-    "tuple[int, ...]": _bodies,
-    "tuple[tuple[int, int], ...]": pairs,
-    "Field": _called,
-    "Potential": _called,
-    "Shift": _called,
+    "float": (finite, "it must be a finite number"),
+    "int": (whole, "bodies are counted from 0, in whole numbers"),
+    "str": (lambda value: isinstance(value, str), "it must be a text"),
+    "tuple[float, ...]": (
+        _row_of(finite),
+        "it must be a tuple of finite numbers: (1.0, 2.0), or (1.0,) with its comma on a line",
+    ),
+    "tuple[int, int]": (
+        _ends,
+        "it must be a tuple of two different bodies, which are counted from 0, in whole numbers",
+    ),
+    "tuple[int, ...]": (
+        _row_of(whole),
+        "it must be a tuple of bodies, which are counted from 0, in whole numbers: (0,), with its comma",
+    ),
+    "tuple[tuple[int, int], ...]": PAIRS,
+    "Field": FUNCTION,
+    "Potential": FUNCTION,
+    "Shift": FUNCTION,
 }
 """By the type that a field is said to have."""
 
@@ -122,7 +99,7 @@ def _rules(kind: type[Any]) -> tuple[tuple[str, bool, Rule], ...]:
     found: list[tuple[str, bool, Rule]] = []
     for each in fields(kind):
         annotation, _, left_out = str(each.type).partition(" | ")
-        rule = _weighs if each.name in ("mass", "inertia") else RULES.get(annotation)
+        rule = WEIGHS if each.name in ("mass", "inertia") else RULES.get(annotation)
         if rule is not None:
             found.append((each.name, left_out == "None", rule))
     return tuple(found)
@@ -137,27 +114,21 @@ def _known(kind: type) -> tuple[tuple[str, bool, Rule], ...]:
 
 def refuse_unsound(scene: str, thing: object) -> None:
     """Raises BadSetting where a field of a body, or of a force of this package, is not what it must be."""
-    for name, left_out, rule in _known(type(thing)):
+    for name, left_out, (right, rule) in _known(type(thing)):
         value = getattr(thing, name)
-        if (value is None and left_out) or not (wrong := rule(value)):
-            continue
-        raise BadSetting(f"{scene}: {type(thing).__name__} with {name} = {short_text(value)}: {wrong}.")
+        if not (value is None and left_out) and not right(value):
+            raise BadSetting(f"{scene}: {type(thing).__name__} with {name} = {short_text(value)}: {rule}.")
 
 
-def refuse_below(
-    scene: str, thing: object, least: dict[str, float] | None = None, above: dict[str, float] | None = None
+def refuse_below_zero(
+    scene: str, thing: object, least: tuple[str, ...] = (), above: tuple[str, ...] = ()
 ) -> None:
-    """Raises BadSetting where a field is less than the `least` it may be, or not more than what it must be `above`."""
-    for name, limit in (least or {}).items():
-        if getattr(thing, name) < limit:
-            raise BadSetting(_beyond(scene, thing, name, f"at least {limit:g}"))
-    for name, limit in (above or {}).items():
-        if not getattr(thing, name) > limit:
-            raise BadSetting(_beyond(scene, thing, name, f"more than {limit:g}"))
-
-
-def _beyond(scene: str, thing: object, name: str, rule: str) -> str:
-    return f"{scene}: {type(thing).__name__} with {name} = {getattr(thing, name):g}: it must be {rule}."
+    """Raises BadSetting where a field that must be at `least` zero is less, or one that must be `above` zero is not."""
+    for name in (*least, *above):
+        value = getattr(thing, name)
+        if value < 0.0 or (name in above and not value):
+            rule = "more than 0" if name in above else "at least 0"
+            raise BadSetting(f"{scene}: {type(thing).__name__} with {name} = {value:g}: it must be {rule}.")
 
 
 def refuse_components(scene: str, axes: int, thing: object, name: str) -> None:

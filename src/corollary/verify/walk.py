@@ -20,7 +20,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter, first_broken, size
 from corollary.scenes.catalogue import run
-from corollary.scenes.independent import composed
+from corollary.scenes.plan import followed
 from corollary.scenes.run import BadSetting, GuardFailed, components
 from corollary.verify.checked import Tally
 from corollary.verify.narrowing import TriedDraw, narrower
@@ -139,7 +139,7 @@ def check_scene(wanted: Simulation, about: str, tally: Tally) -> None:
         found = (
             run(wanted.scene, wanted.settings, tolerance=1e-10, second_way=True)
             if isinstance(wanted.scene, str)
-            else composed(wanted.scene, wanted.expect.keys(), tolerance=1e-10)
+            else followed(wanted.scene, wanted.expect.keys(), tolerance=1e-10)
         )
     except (BadSetting, GuardFailed) as error:
         tally.complain(f"{about}: {error}")

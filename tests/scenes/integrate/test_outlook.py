@@ -11,7 +11,7 @@ from corollary.scenes.run import GuardFailed
 
 
 def followed(line, tolerance):
-    return regularised.follow(regularised.laid_out(line, compiled=False), tolerance)
+    return regularised.LaidOut(line, compiled=False).follow(tolerance)
 
 
 def row_of(masses, gaps=None, q=1.5):
@@ -58,8 +58,8 @@ def test_a_row_that_would_take_too_long_is_refused_after_few_steps_and_one_that_
         asked.append(most)
         return steps(laid, tolerance, most)
 
-    steps = regularised._steps
-    monkeypatch.setattr(regularised, "_steps", follow)
+    steps = regularised.LaidOut._steps
+    monkeypatch.setattr(regularised.LaidOut, "_steps", follow)
     with pytest.raises(GuardFailed, match="does not end"):
         followed(row_of((1.0, 1e-12) * 8), 1e-13)
     assert max(asked) <= regularised.FIRST_STEPS

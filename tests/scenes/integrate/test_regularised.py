@@ -12,7 +12,7 @@ from corollary.scenes import collision
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import row_motion
 from corollary.scenes.integrate.regularised import collide
-from corollary.scenes.models import bounce, modal
+from corollary.scenes.models import modal, two_bodies
 from corollary.scenes.row import RowOfBodies, conserved
 from corollary.scenes.run import GuardFailed
 
@@ -42,8 +42,8 @@ def test_cradles_agree_with_thirty_digit_arithmetic_to_twelve(name):
 def test_two_balls_agree_with_beta_functions(q):
     found = collide(cradle(2, q), 1e-13)
     assert found.velocities == pytest.approx((0.0, 1.0), abs=1e-12)
-    assert found.duration == pytest.approx(bounce.contact_time(0.5, 1.0, q, 1.0), rel=2e-12)
-    assert found.overlaps[0] == pytest.approx(bounce.largest_overlap(0.5, 1.0, q, 1.0), rel=1e-12)
+    assert found.duration == pytest.approx(two_bodies.contact_time(0.5, 1.0, q, 1.0), rel=2e-12)
+    assert found.overlaps[0] == pytest.approx(two_bodies.largest_overlap(0.5, 1.0, q, 1.0), rel=1e-12)
     assert found.forces[0] == pytest.approx(found.overlaps[0] ** q, rel=1e-14)
 
 
@@ -192,7 +192,7 @@ def test_nothing_moves_nothing_happens():
 def test_whatever_the_damping_a_ball_is_released_or_sticks(q, thickness, weight, speed, tolerance):
     """Energy falls with damping, and without a jump: a little more of it never gives a rebound far from the first."""
     k, m = 1e6 * 0.001 ** (1.5 - q), 0.1
-    critical = 2.0 * math.sqrt(k * m * bounce.largest_overlap(m, k, q, speed) ** (q - 1.0))
+    critical = 2.0 * math.sqrt(k * m * two_bodies.largest_overlap(m, k, q, speed) ** (q - 1.0))
 
     def kept(more):
         eta = critical * 10.0**thickness * more

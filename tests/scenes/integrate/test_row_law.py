@@ -44,7 +44,7 @@ def newton(line, y, touching):
     overlaps, speeds = y[1::2], y[::2]
     rates = [u - v for u, v in pairwise(speeds)]
     forces = [
-        force.push(c, d, r) if on and d >= 0.0 else 0.0
+        force.push(c, d) + c.eta * r if on and d >= 0.0 else 0.0
         for c, d, r, on in zip(line.contacts, overlaps, rates, touching, strict=True)
     ]
     between = [0.0, *forces, 0.0]
@@ -111,7 +111,7 @@ def test_what_is_kept_is_that_of_the_row(line):
 def test_pushes_and_what_they_store(k, q, overlap):
     contact = Contact(k, q)
     if overlap > 0.0:
-        assert push(k, q, overlap) == pytest.approx(force.push(contact, overlap, 0.0), rel=1e-15)
+        assert push(k, q, overlap) == pytest.approx(force.push(contact, overlap), rel=1e-15)
     assert stored(k, q, overlap) == pytest.approx(force.stored(contact, overlap), rel=1e-14)
     assert push(k, 10.0, 1e200) == math.inf
 

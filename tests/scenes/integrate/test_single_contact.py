@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 from corollary.scenes.forces.contact import Contact, stored
 from corollary.scenes.integrate import single_contact
 from corollary.scenes.integrate.single_contact import follow
-from corollary.scenes.models.bounce import contact_time, largest_overlap
 from corollary.scenes.models.certain import double_of
 from corollary.scenes.models.pair import (
     NEAREST,
@@ -23,6 +22,7 @@ from corollary.scenes.models.pair import (
     meet,
     turned_and_lasted,
 )
+from corollary.scenes.models.two_bodies import contact_time, largest_overlap
 from corollary.scenes.run import BadSetting, GuardFailed
 
 

@@ -10,7 +10,7 @@ from corollary.scenes import catalogue, library
 from corollary.scenes.catalogue import SCENES, run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.library.ball_on_floor import OVERDAMPED
-from corollary.scenes.models.bounce import depth_of
+from corollary.scenes.models.two_bodies import depth_of
 from corollary.scenes.run import BadSetting, GuardFailed
 
 

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from corollary.scenes.catalogue import run
-from corollary.scenes.models.bounce import contact_time, largest_overlap
+from corollary.scenes.models.two_bodies import contact_time, largest_overlap
 
 sizes = st.floats(1e-6, 1e6)
 

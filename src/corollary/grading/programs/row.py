@@ -27,7 +27,7 @@ from corollary.grading.programs.convergence import (
 from corollary.grading.programs.fixed_step import EULER, EULER_CROMER, march, states
 from corollary.messages import N_, catalogue, in_convention
 from corollary.scenes.catalogue import run
-from corollary.scenes.models.bounce import contact_time
+from corollary.scenes.models.two_bodies import contact_time
 
 _ = catalogue(__name__)
 

@@ -17,7 +17,7 @@ from corollary.grading.programs.row import pushed
 from corollary.messages import catalogue, in_convention
 from corollary.sandbox.result import Axes
 from corollary.scenes.catalogue import run
-from corollary.scenes.models.bounce import contact_time
+from corollary.scenes.models.two_bodies import contact_time
 
 _ = catalogue(__name__)
 

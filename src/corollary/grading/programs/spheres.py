@@ -22,7 +22,7 @@ from corollary.grading.programs.convergence import (
 from corollary.grading.programs.two_bodies import Force
 from corollary.messages import catalogue, in_convention
 from corollary.scenes.catalogue import run
-from corollary.scenes.models.bounce import contact_time
+from corollary.scenes.models.two_bodies import contact_time
 from corollary.scenes.run import Run
 
 _ = catalogue(__name__)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.scene import ForceOnOne, Pushes, Scene, State, velocity
-from corollary.scenes.sound import refuse_below, refuse_components
+from corollary.scenes.sound import refuse_below_zero, refuse_components
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,7 +17,7 @@ class Absorption(ForceOnOne):
     rate: float
 
     def fits(self, scene: Scene) -> None:
-        refuse_below(scene.name, self, least={"rate": 0.0})
+        refuse_below_zero(scene.name, self, least=("rate",))
         refuse_components(scene.name, scene.axes, self, "velocity")
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:

@@ -7,10 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import Constraint, Rub, State
-from corollary.scenes.rows import spin, unit_row
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Conserves, ContactForce, Scene, overlap, seen_from
-from corollary.scenes.sound import refuse_below
+from corollary.scenes.scene import Conserves, ContactForce, Scene, overlap, seen_from, spin, unit_row
+from corollary.scenes.sound import refuse_below_zero
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +31,7 @@ class Contact(ContactForce):
     chosen: tuple[tuple[int, int], ...] | None = None
 
     def fits(self, scene: Scene) -> None:
-        refuse_below(scene.name, self, least={"eta": 0.0, "mu": 0.0}, above={"k": 0.0, "q": 0.0})
+        refuse_below_zero(scene.name, self, least=("eta", "mu"), above=("k", "q"))
         if self.held_by < self.mu:
             raise BadSetting(
                 f"{scene.name}: Contact with mu = {self.mu:g} and static = {self.held_by:g}: the static one must not be the smaller."
@@ -44,7 +43,7 @@ class Contact(ContactForce):
         if depth <= 0.0:
             return [0.0] * scene.axes
         apart, relative = seen_from(scene, state, a, b)
-        distance, spring = math.hypot(*apart), push(self, depth, 0.0)
+        distance, spring = math.hypot(*apart), push(self, depth)
         if self.rubs_surfaces:
             return [(spring + self.eta * growing) * x / distance for x in apart]
         return [spring * x / distance - self.eta * v for x, v in zip(apart, relative, strict=True)]
@@ -53,39 +52,36 @@ class Contact(ContactForce):
         return sum(stored(self, overlap(scene, state, a, b)[0]) for a, b in self.serves(scene))
 
     def rubs(self, scene: Scene, held: Sequence[Constraint]) -> Iterator[Rub]:
+        if self.rubs_surfaces and scene.axes == 2:
+            for a, b in self.serves(scene):
+                yield self._rub(scene, a, b)
+
+    def _rub(self, scene: Scene, a: int, b: int) -> Rub:
         """Where the surfaces of two bodies slip on each other; their arms end where they touch, so nothing turns by itself."""
-        if not self.rubs_surfaces or scene.axes != 2:
-            return
-        for a, b in self.serves(scene):
+        reach = scene.bodies[a].radius + scene.bodies[b].radius
+        shares = scene.bodies[a].radius / reach, scene.bodies[b].radius / reach
 
-            def seen(y: State, a: int = a, b: int = b) -> tuple[tuple[float, float], float, Sequence[float]]:
-                apart, relative = seen_from(scene, y, a, b)
-                r = math.hypot(*apart) or 1e-300
-                return (apart[0] / r, apart[1] / r), r, relative
+        def seen(y: State) -> tuple[tuple[float, float], float, Sequence[float]]:
+            apart, relative = seen_from(scene, y, a, b)
+            r = math.hypot(*apart) or 1e-300
+            return (apart[0] / r, apart[1] / r), r, relative
 
-            reach = scene.bodies[a].radius + scene.bodies[b].radius
-            shares = scene.bodies[a].radius / reach, scene.bodies[b].radius / reach
+        def rows(t: float, y: State) -> list[list[float]]:
+            (nx, ny), r, _ = seen(y)
+            on_a = unit_row(scene, a, (-ny, nx), spin=shares[0] * r)
+            on_b = unit_row(scene, b, (ny, -nx), spin=shares[1] * r)
+            return [[x + z for x, z in zip(on_a, on_b, strict=True)]]
 
-            def rows(
-                t: float, y: State, a: int = a, b: int = b, shares: tuple[float, float] = shares
-            ) -> list[list[float]]:
-                (nx, ny), r, _ = seen(y, a, b)
-                on_a = unit_row(scene, a, (-ny, nx), spin=shares[0] * r)
-                on_b = unit_row(scene, b, (ny, -nx), spin=shares[1] * r)
-                return [[x + z for x, z in zip(on_a, on_b, strict=True)]]
+        def drift(t: float, y: State) -> list[float]:
+            (nx, ny), r, (u, v) = seen(y)
+            turning, growing = (nx * v - ny * u) / r, nx * u + ny * v
+            spins = shares[0] * spin(scene, y, a) + shares[1] * spin(scene, y, b)
+            return [growing * (turning + spins)]
 
-            def drift(
-                t: float, y: State, a: int = a, b: int = b, shares: tuple[float, float] = shares
-            ) -> list[float]:
-                (nx, ny), r, (u, v) = seen(y, a, b)
-                turning, growing = (nx * v - ny * u) / r, nx * u + ny * v
-                spins = shares[0] * spin(scene, y, a) + shares[1] * spin(scene, y, b)
-                return [growing * (turning + spins)]
+        def pressing(t: float, y: State) -> float:
+            return push(self, max(overlap(scene, y, a, b)[0], 0.0))
 
-            def pressing(t: float, y: State, a: int = a, b: int = b) -> float:
-                return push(self, max(overlap(scene, y, a, b)[0], 0.0), 0.0)
-
-            yield Rub(f"bodies {a} and {b}", (a, b), rows, drift, self.mu, self.held_by, normal=pressing)
+        return Rub(f"bodies {a} and {b}", (a, b), rows, drift, self.mu, self.held_by, normal=pressing)
 
     @property
     def held_by(self) -> float:
@@ -111,9 +107,9 @@ class Contact(ContactForce):
         return Conserves.MOMENTUM | (Conserves.NOTHING if lossy else Conserves.ENERGY)
 
 
-def push(contact: Contact, overlap: float, rate: float) -> float:
-    """How hard the bodies push each other apart (N) when their overlap (m, not negative) grows at `rate` (m/s)."""
-    return contact.k * overlap**contact.q + contact.eta * rate
+def push(contact: Contact, overlap: float) -> float:
+    """How hard the spring pushes bodies apart (N) that overlap (m, not negative)."""
+    return contact.k * overlap**contact.q
 
 
 def stored(contact: Contact, overlap: float) -> float:

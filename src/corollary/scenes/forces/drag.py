@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
 from corollary.scenes.scene import Event, ForceOnOne, Pushes, Scene, velocity
-from corollary.scenes.sound import refuse_below, refuse_components
+from corollary.scenes.sound import refuse_below_zero, refuse_components
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +24,7 @@ class Drag(ForceOnOne):
 
     def fits(self, scene: Scene) -> None:
         """A coefficient below zero would drive the body: that is a `ForceFunction`."""
-        refuse_below(scene.name, self, least={"linear": 0.0, "quadratic": 0.0})
+        refuse_below_zero(scene.name, self, least=("linear", "quadratic"))
         if self.wind:
             refuse_components(scene.name, scene.axes, self, "wind")
 

@@ -7,9 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import Constraint, Rub, State
-from corollary.scenes.rows import velocity_row
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import ForceOnOne, Pushes, Scene
+from corollary.scenes.scene import ForceOnOne, Pushes, Scene, unit_row
 from corollary.scenes.sound import refuse_components, refuse_unsound
 
 
@@ -54,7 +53,8 @@ class Friction(ForceOnOne):
         body = scene.bodies[self.body]
         if math.isinf(body.mass):
             return
-        rows = [velocity_row(scene, self.body, axis) for axis in range(scene.axes)]
+        axes = range(scene.axes)
+        rows = [unit_row(scene, self.body, [float(i == j) for j in axes]) for i in axes]
         belt = tuple(self.belt) or (0.0,) * scene.axes
         gained = sum(rate for force in scene.forces for i, rate in force.mass_rates if i == self.body)
         name = f"{body.name or f'body {self.body}'} on the table"

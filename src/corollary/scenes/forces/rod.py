@@ -8,10 +8,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import Constraint, State
-from corollary.scenes.rows import unit_row
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from
-from corollary.scenes.sound import refuse_below
+from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from, unit_row
+from corollary.scenes.sound import refuse_below_zero
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +97,7 @@ class String(Link):
 
     def fits(self, scene: Scene) -> None:
         length = self.span(scene)
-        refuse_below(scene.name, self, least={"restitution": 0.0})
+        refuse_below_zero(scene.name, self, least=("restitution",))
         if self.restitution > 1.0:
             raise BadSetting(
                 f"{scene.name}: String with restitution = {self.restitution:g}: it must be at most 1."

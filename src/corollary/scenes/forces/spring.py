@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.scene import Conserves, Event, ForceBetween, Pushes, Scene, State, opposite, seen_from
-from corollary.scenes.sound import refuse_below
+from corollary.scenes.sound import refuse_below_zero
 
 FADING = 40.0
 """In powers of e, over the time that something takes to get stuck: less than a double tells is left of its relative velocity."""
@@ -26,7 +26,7 @@ class Spring(ForceBetween):
     damping: float = 0.0
 
     def fits(self, scene: Scene) -> None:
-        refuse_below(scene.name, self, least={"length": 0.0, "damping": 0.0})
+        refuse_below_zero(scene.name, self, least=("length", "damping"))
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         apart, relative = seen_from(scene, state, *self.ends)

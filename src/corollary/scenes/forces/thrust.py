@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.scene import ForceOnOne, Pushes, Scene, State
-from corollary.scenes.sound import refuse_below, refuse_components
+from corollary.scenes.sound import refuse_below_zero, refuse_components
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,7 @@ class Thrust(ForceOnOne):
     burn: float
 
     def fits(self, scene: Scene) -> None:
-        refuse_below(scene.name, self, above={"burn": 0.0})
+        refuse_below_zero(scene.name, self, above=("burn",))
         refuse_components(scene.name, scene.axes, self, "relative")
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:

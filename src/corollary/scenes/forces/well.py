@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, Event, Force, Pushes, Scene, State, bounced, place, velocity
-from corollary.scenes.sound import refuse_below
+from corollary.scenes.sound import refuse_below_zero
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +31,7 @@ class Well(Force):
         return self.b - self.d
 
     def fits(self, scene: Scene) -> None:
-        refuse_below(scene.name, self, above={"k": 0.0, "b": 0.0, "d": 0.0})
+        refuse_below_zero(scene.name, self, above=("k", "b", "d"))
         for i, body in enumerate(scene.bodies):
             if not math.isinf(body.mass) and math.hypot(*body.place) < self.wall:
                 raise BadSetting(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
 
 from corollary.scenes.forces.contact import smoothing_power
 from corollary.scenes.integrate import both_ways, row_motion
@@ -42,70 +41,70 @@ def collide(line: RowOfBodies, tolerance: float = 1e-13, *, compiled: bool = Fal
     if units is None:
         still = (0.0,) * len(line.gaps)
         return RowResult(line.velocities, 0.0, still, still, "missed", 0)
-    return in_si(follow(laid_out(in_units(line, units), compiled), tolerance), units)
+    return in_si(LaidOut(in_units(line, units), compiled).follow(tolerance), units)
 
 
 Seen = tuple[int, float, float, int, int, float]
 """What `row_motion.follow` gives."""
 
 
-class LaidOut(NamedTuple):
-    """A line in its natural units as a kernel takes it, once for all runs; what has no value yet is room to work in.
+class LaidOut:
+    """A line in its natural units as a kernel takes it, plain or compiled, once for all runs; with room to work in.
 
-    A run takes `most` steps at most; if it is not over after the `first`, its end must be foreseen.
+    A run takes `most` steps at most; if it is not over after the `first`, its end must be foreseen. Raises BadSetting when it is to be
+    `compiled` and numba is missing.
     """
 
-    line: RowOfBodies
-    kernel: Callable[..., tuple[Seen, Conserved, Conserved]]
-    first: int
-    most: int
-    start: Any
-    touching: Any
-    row: tuple[Any, ...]
-    deepest: Any
-    hardest: Any
-    room: Any
+    def __init__(self, line: RowOfBodies, compiled: bool) -> None:
+        self.line = line
+        start, touching, row = state_of(line)
+        deepest, self.room = [0.0] * len(line.gaps), both_ways.room(row_motion.ROOM, len(start), compiled)
+        kernel, self.most = row_motion.collide, MOST_STEPS
+        if compiled:
+            kernel, self.most = both_ways.compiled("row_motion").collide, MOST_COMPILED
+            start, touching, deepest, *row = both_ways.arrays(start, touching, deepest, *row)
+        self.kernel: Callable[..., tuple[Seen, Conserved, Conserved]] = kernel
+        self.start, self.touching, self.row = start, touching, tuple(row)
+        self.deepest, self.hardest = deepest, deepest.copy()
+        self.first = min(FIRST_STEPS, OF_ALL // len(line.masses)) if _may_throw(line) else self.most
 
-
-def laid_out(line: RowOfBodies, compiled: bool) -> LaidOut:
-    """A line in its natural units, for plain or compiled steps. Raises BadSetting when these need numba and it is missing."""
-    start, touching, row = state_of(line)
-    deepest, room = [0.0] * len(line.gaps), both_ways.room(row_motion.ROOM, len(start), compiled)
-    kernel, most = row_motion.collide, MOST_STEPS
-    if compiled:
-        kernel, most = both_ways.compiled("row_motion").collide, MOST_COMPILED
-        start, touching, deepest, *row = both_ways.arrays(start, touching, deepest, *row)
-    first = min(FIRST_STEPS, OF_ALL // len(line.masses)) if _may_throw(line) else most
-    return LaidOut(line, kernel, first, most, start, touching, tuple(row), deepest, deepest.copy(), room)
-
-
-def follow(laid: LaidOut, tolerance: float) -> RowResult:
-    """The same as `collide` for what is laid out; the result is in natural units, too."""
-    line, first, most = laid.line, laid.first, laid.most
-    state, seen, before, after = _steps(laid, tolerance, first)
-    if seen[0] == row_motion.TOO_LONG and first < most and _ends(line):
-        state, seen, before, after = _steps(laid, tolerance, most)
-    end, began, ended, openings, evaluations, strain = seen
-    if end == row_motion.TOO_LONG:
-        raise GuardFailed(
-            f"The collision does not end within {most} steps. Make the masses less unequal or the balls fewer."
+    def follow(self, tolerance: float) -> RowResult:
+        """The same as `collide` for what is laid out; the result is in natural units, too."""
+        first, most = self.first, self.most
+        state, seen, before, after = self._steps(tolerance, first)
+        if seen[0] == row_motion.TOO_LONG and first < most and _ends(self.line):
+            state, seen, before, after = self._steps(tolerance, most)
+        end, began, ended, openings, evaluations, strain = seen
+        if end == row_motion.TOO_LONG:
+            raise GuardFailed(
+                f"The collision does not end within {most} steps. Make the masses less unequal or the balls fewer."
+            )
+        if end == row_motion.NO_STEP:
+            raise GuardFailed(
+                "No step is small enough to follow the collision. Make the settings less extreme."
+            )
+        if not all(map(math.isfinite, state)):
+            raise OverflowError("a number of the collision is too large or too small")
+        if end != row_motion.STICKS:
+            guard(self.line, before, after, 1e3 * tolerance + 1e-15 * evaluations)
+        return RowResult(
+            velocities=tuple(state[::2]),
+            duration=ended - began if began < math.inf else 0.0,
+            overlaps=tuple(map(float, self.deepest)),
+            forces=tuple(map(float, self.hardest)),
+            outcome=OUTCOMES[end],
+            evaluations=evaluations,
+            openings=openings,
+            strain=strain,
         )
-    if end == row_motion.NO_STEP:
-        raise GuardFailed("No step is small enough to follow the collision. Make the settings less extreme.")
-    if not all(map(math.isfinite, state)):
-        raise OverflowError("a number of the collision is too large or too small")
-    if end != row_motion.STICKS:
-        guard(line, before, after, 1e3 * tolerance + 1e-15 * evaluations)
-    return RowResult(
-        velocities=tuple(state[::2]),
-        duration=ended - began if began < math.inf else 0.0,
-        overlaps=tuple(map(float, laid.deepest)),
-        forces=tuple(map(float, laid.hardest)),
-        outcome=OUTCOMES[end],
-        evaluations=evaluations,
-        openings=openings,
-        strain=strain,
-    )
+
+    def _steps(self, tolerance: float, most: int) -> tuple[list[float], Seen, Conserved, Conserved]:
+        """The state at the end, and what the kernel gives; the largest overlaps and forces are left where they are laid out."""
+        y = self.start.copy()
+        given = self.kernel(
+            y, self.touching, self.row, self.deepest, self.hardest, tolerance, most, self.room
+        )
+        return list(map(float, y)), *given
 
 
 def _may_throw(line: RowOfBodies) -> bool:
@@ -120,20 +119,10 @@ def _ends(line: RowOfBodies) -> bool:
     return rough_steps(line, MOST_ROUGH) < MOST_ROUGH
 
 
-def _steps(laid: LaidOut, tolerance: float, most: int) -> tuple[list[float], Seen, Conserved, Conserved]:
-    """The state at the end, and what the kernel gives; the largest overlaps and forces are left where they are laid out."""
-    y = laid.start.copy()
-    given = laid.kernel(y, laid.touching, laid.row, laid.deepest, laid.hardest, tolerance, most, laid.room)
-    return list(map(float, y)), *given
-
-
 def state_of(line: RowOfBodies) -> tuple[list[float], list[bool], tuple[Sequence[float], ...]]:
     """A line in natural units as the kernel wants it: its state, what touches, and what does not change (`row_law`)."""
     y = [x for v, gap in zip(line.velocities, (*line.gaps, 0.0), strict=True) for x in (v, -gap)][:-1]
-    known: dict[float, int] = {}
-    for c in line.contacts:
-        if c.q not in known:
-            known[c.q] = smoothing_power(c)
+    known = {c.q: smoothing_power(c) for c in set(line.contacts)}
     row = (
         [1.0 / m for m in line.masses],
         [0.0 if m == math.inf else line.weight for m in line.masses],

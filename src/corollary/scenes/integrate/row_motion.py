@@ -10,14 +10,14 @@ import math
 from corollary.scenes.integrate.both_ways import ways
 
 kernel, module = ways(__name__)
-events, law, peaks, stages = (module(name) for name in ("row_events", "row_law", "row_peaks", "stages"))
+events, law, stages = module("row_events"), module("row_law"), module("stages")
 active_part, settle, inactive, stays = events.active_part, events.settle, events.inactive, events.stays
 first_touch, fly, suited, due = events.first_touch, events.fly, events.suited, events.due
 nears_zero, crossing, at_rest = events.nears_zero, events.crossing, events.at_rest
 lasts_at_least = events.lasts_at_least
 push, slope, step, value_in, stride_for = law.push, law.slope, law.step, law.value_in, law.stride_for
 conserved = law.conserved
-damped_force, largest_force, largest_overlap = peaks.damped_force, peaks.largest_force, peaks.largest_overlap
+damped_force, largest_force, largest_overlap = law.damped_force, law.largest_force, law.largest_overlap
 factor, whole, error_size = stages.factor, stages.whole, stages.error_size
 STAGES, EVALUATIONS, TIME = stages.STAGES, stages.EVALUATIONS, law.TIME
 
@@ -262,3 +262,22 @@ def collide(y, touching, row, deepest, hardest, tolerance, most, room):
     before = conserved(y, row)
     seen = follow(y, touching, row, deepest, hardest, tolerance, most, room)
     return seen, before, conserved(y, row)
+
+
+@kernel
+def follow_each(
+    y, touching, inverse, falls, k, q, eta, powers, deepest, hardest, seen, tolerance, most, room
+):
+    """Many rows, one after another: `y`, `inverse`, `k`, `deepest`, `hardest` have a line for each, the others serve all.
+
+    Of each, `seen` becomes how long it touched, how much that hangs on slow touches, how often it did, and how it ended. Gives the
+    evaluations of all.
+    """
+    spent = 0
+    for i in range(len(y)):
+        row, found = (inverse[i], falls, k[i], q, eta, powers), seen[i]
+        found[3], began, ended, found[2], cost, found[1] = follow(
+            y[i], touching, row, deepest[i], hardest[i], tolerance, most, room
+        )
+        found[0], spent = max(ended - began, 0.0), spent + cost
+    return spent

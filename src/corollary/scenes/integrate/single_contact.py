@@ -42,18 +42,14 @@ def groups_of(pair: Pair, met: Touching) -> tuple[Groups, float, float]:
     return groups, depth, speed
 
 
-def start_of(groups: Groups, met: Touching, depth: float, speed: float) -> list[float]:
-    """The state of a contact when it begins, in its units."""
-    return [(met.overlap / depth) ** (1.0 / groups[1]), met.inward / speed, 1.0, 0.0, 0.0]
-
-
 def follow(pair: Pair, met: Touching, tolerance: float) -> Parting:
     """The contact from `met` to its end; `tolerance` is the error allowed to a step, in units of the depth and the speed.
 
     Raises GuardFailed when the end is not reached, BadSetting when the centres all but meet.
     """
     groups, depth, speed = groups_of(pair, met)
-    y, follow, fast = start_of(groups, met, depth, speed), contact_motion.follow, both_ways.wanted()
+    y = [(met.overlap / depth) ** (1.0 / groups[1]), met.inward / speed, 1.0, 0.0, 0.0]
+    follow, fast = contact_motion.follow, both_ways.wanted()
     if fast:
         (y,), follow = both_ways.arrays(y), both_ways.compiled("contact_motion").follow
     room = both_ways.room(ROOM, SIZE, fast)

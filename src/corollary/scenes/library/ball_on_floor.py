@@ -11,10 +11,19 @@ from corollary.scenes.collision import ROUNDING, collide
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.falls_and_swings import EXACT, fallen
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.models.bounce import bounce, depth_of
 from corollary.scenes.models.certain import Balls, Evaluated, balls, found
 from corollary.scenes.models.proven import collisions
-from corollary.scenes.models.two_bodies import BETA, CONSERVED, FADES, Hit, damped, swings, undamped
+from corollary.scenes.models.two_bodies import (
+    BETA,
+    CONSERVED,
+    FADES,
+    Hit,
+    bounce,
+    damped,
+    depth_of,
+    swings,
+    undamped,
+)
 from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import NEVER_PART, BadSetting, Model, Observed, Run, by_relative_errors
 

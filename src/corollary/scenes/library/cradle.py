@@ -11,7 +11,7 @@ from corollary.scenes.models.certain import found
 from corollary.scenes.models.proven import collisions
 from corollary.scenes.models.two_bodies import collision
 from corollary.scenes.row import RowOfBodies, caught_between
-from corollary.scenes.run import BadSetting, Observed, Run, by_relative_errors
+from corollary.scenes.run import BadSetting, Observed, Run
 
 SETTINGS = (
     Setting("N", "number of balls", "1", 3.0, least=2.0, most=200.0, whole=True),
@@ -59,26 +59,13 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     )
     collided = collide(line, tolerance)
     result = collided.result
-    return by_relative_errors(
-        observed={
-            "velocities": tuple(v0 * v for v in result.velocities),
-            "duration": result.duration * length / v0,
-            "largest_overlap": length * max(result.overlaps),
-            "peak_force": m * v0 * v0 / length * max(result.forces),
-        },
-        errors={
-            "velocities": collided.errors["velocities"],
-            "duration": collided.errors["duration"],
-            "largest_overlap": collided.errors["overlaps"],
-            "peak_force": collided.errors["forces"],
-        },
-        model=collided.model,
-        why=collided.why,
-        evaluations=collided.spent,
-        outcome=result.outcome,
-        scales={"velocities": v0},
-        warnings=collided.warnings,
-    )
+    values: dict[str, Observed] = {
+        "velocities": tuple(v0 * v for v in result.velocities),
+        "duration": result.duration * length / v0,
+        "largest_overlap": length * max(result.overlaps),
+        "peak_force": m * v0 * v0 / length * max(result.forces),
+    }
+    return collided.observed(values, {"velocities": v0})
 
 
 def proven(settings: Mapping[str, Observed]) -> Run:

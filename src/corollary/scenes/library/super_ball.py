@@ -75,10 +75,7 @@ def play(settings: Settings, tolerance: float, *, in_steps: bool = False) -> Run
     errors = dict.fromkeys(observed, found.errors["velocities"] + neglected)
     errors["duration"] = found.errors["duration"] + neglected
     errors["peak_force"] = found.errors["forces"] + 2.0 * neglected
-    scales, outcome = {"velocities": speed, "heights": h0}, found.result.outcome
-    run = by_relative_errors(
-        observed, errors, found.model, found.why, found.spent, outcome, scales, found.warnings
-    )
+    run = found.observed(observed, {"velocities": speed, "heights": h0}, errors)
     # A slow ball makes more of weight, but not of next to none.
     return run if neglected < NO_WEIGHT else _beside_weight(run, line, found.result, g, gap)
 

@@ -1,14 +1,18 @@
-"""Two bodies on a line, one contact from a touch to its end: undamped by conservation and Beta functions, or a spring with a dashpot."""
+"""Two bodies on a line, one contact from a touch to its end.
+
+Undamped by conservation and Beta functions, or with weight by a root of the energy and a rigorous quadrature; or a spring with a dashpot.
+"""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
 
-from flint import arb
+from flint import acb, acb_poly, arb
 
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.models.certain import Balls, Evaluated, sign
+from corollary.scenes.forces.contact import Contact, smoothing_power
+from corollary.scenes.models.certain import Balls, Evaluated, double_of, geometric, integral, root, sign
 from corollary.scenes.run import NEVER_PART, Model, Outcome
 
 CONSERVED = "momentum and energy give what two bodies have after an undamped collision"
@@ -71,6 +75,66 @@ def fading(mass: arb, k: arb, fade: arb, closing: arb) -> Hit:
     )
 
 
+def largest_overlap(m: float, k: float, q: float, v: float) -> float:
+    """The overlap (m) at which k overlap^q has stopped a (reduced) mass m that arrived at speed v."""
+    return double_of(lambda: undamped(arb(m), arb(k), arb(q), arb(v)).overlap)
+
+
+def contact_time(m: float, k: float, q: float, v: float) -> float:
+    """How long (s) a (reduced) mass m touches when it arrives at speed v and is pushed back by k overlap^q."""
+    return double_of(lambda: undamped(arb(m), arb(k), arb(q), arb(v)).duration or arb(0))
+
+
+def depth_of(contact: Contact, m: float, v: float, g: float) -> float:
+    """The largest overlap (m) without damping, as a double; with weight where there is some."""
+    if g == 0.0:
+        return largest_overlap(m, contact.k, contact.q, v)
+    return double_of(lambda: deepest(contact, arb(m), arb(v), arb(g)))
+
+
+def deepest(contact: Contact, mass: arb, speed: arb, weight: arb) -> arb:
+    """The overlap where a body that meets the floor at `speed` and is pulled on by `weight` (m/s^2) comes to rest.
+
+    speed^2 + 2 g x = 2 k x^(q+1) / ((q+1) m): the root lies between the larger of those without either term on the left and its double.
+    """
+    p = arb(contact.q) + 1
+    stiff = 2 * arb(contact.k) / (p * mass)
+    unit = ((speed * speed / stiff) ** (1 / p)).max((2 * weight / stiff) ** (1 / arb(contact.q)))
+    unit = unit.lower()
+
+    def lacking(x: arb) -> arb:
+        return stiff * x**p - 2 * weight * x - speed * speed
+
+    return root(lacking, unit / 2, 2 * unit)
+
+
+def bounce(contact: Contact, mass: arb, speed: arb, weight: arb) -> Hit:
+    """The contact of a body that meets the floor at `speed` (> 0) and feels `weight` (> 0) meanwhile.
+
+    With x = X w^s and w = 1 - y^2, the square of the speed is y^2 times a sum of powers of w with positive coefficients: nothing
+    cancels, and the integrand is smooth at the deepest point X and at the touch.
+    """
+    s, q = max(smoothing_power(contact), 2), contact.q
+    top = deepest(contact, mass, speed, weight)
+    square, fall = acb(speed * speed), acb(2 * weight * top)
+
+    powers = s * (Fraction(q) + 1), s * Fraction(q)
+    whole = powers[0].denominator == 1
+    sums = acb_poly([square] * round(powers[0])) + acb_poly([0] * s + [fall] * round(powers[1]))
+
+    def per_y(y: acb, analytic: bool) -> acb:
+        w = 1 - y * y
+        if whole:
+            rate = sums(w)
+        else:
+            rate = square * geometric(w, powers[0], analytic)
+            rate += fall * w**s * geometric(w, powers[1], analytic)
+        return w ** (s - 1) / rate.sqrt(analytic=analytic)
+
+    duration = 4 * s * top * integral(per_y, arb(0), arb(1))
+    return Hit(arb(1), top, arb(contact.k) * top ** arb(q), duration)
+
+
 def collision(masses: tuple[float, float], velocities: tuple[float, float], contact: Contact) -> Evaluated:
     """Everything that can be observed of two bodies of which nothing else acts on either; they touch or come to a touch first."""
     given = inverse(masses[0]), inverse(masses[1])
@@ -120,16 +184,12 @@ def _evaluated(
     why_contact: str,
 ) -> Evaluated:
     loose = [(arb(m), u, v) for m, u, v in zip(masses, before, then, strict=True) if not math.isinf(m)]
-    had, has = arb(0), arb(0)
-    for m, u, v in loose:
-        had, has = had + m * u * u / 2, has + m * v * v / 2
-    total = arb(0)
-    for m, _, v in loose:
-        total += m * v
+    had = sum((m * u * u / 2 for m, u, _ in loose), arb(0))
+    has = sum((m * v * v / 2 for m, _, v in loose), arb(0))
     values: dict[str, Balls] = {
         "velocities": then,
         "impulse": tuple(m * (v - u) for m, u, v in loose),
-        "momentum": (total,),
+        "momentum": (sum((m * v for m, _, v in loose), arb(0)),),
         "energy": has,
         "energy_ratio": has / had if sign(had) else arb(1),
         "largest_overlap": hit.overlap,

@@ -81,18 +81,23 @@ def answer(items: Sequence[Item], statuses: Sequence[Status], inverse: Array) ->
                 owners.append(i)
     total, solved = extra, np.zeros(0)
     if rows:
-        across, along = np.array(rows), np.array(columns)
-        if len(rows) == 1 and (size_of := float((across[0] * inverse) @ along[0])) > 0.0:
-            solved = np.array([-(biases[0] + float((across[0] * inverse) @ extra)) / size_of])
-            return _shared_out(items, owners, solved, extra + along[0] * solved[0], inverse)
-        matrix = (across * inverse) @ along.T
-        wanted = -(np.array(biases) + (across * inverse) @ extra)
-        rubs = np.array([items[owner].rub for owner in owners])
-        solved = _solved(matrix, wanted) if not rubs.any() or _independent(matrix) else None
-        if solved is None:
-            solved = _shared(items, owners, rubs, matrix, wanted)
-        total = extra + along.T @ solved
-    return _shared_out(items, owners, np.asarray(solved, dtype=np.float64), total, inverse)
+        across, along = np.array(rows) * inverse, np.array(columns)
+        if len(rows) == 1 and (resists := float(across[0] @ along[0])) > 0.0:
+            solved = np.array([-(biases[0] + float(across[0] @ extra)) / resists])
+            total = extra + along[0] * solved[0]
+        else:
+            matrix, wanted = across @ along.T, -(np.array(biases) + across @ extra)
+            rubs = np.array([items[owner].rub for owner in owners])
+            found = _solved(matrix, wanted) if not rubs.any() or _independent(matrix) else None
+            solved = _shared(items, owners, rubs, matrix, wanted) if found is None else found
+            total = extra + along.T @ solved
+    multipliers: list[Array] = [np.zeros(len(item.rows)) for item in items]
+    filled = [0] * len(items)
+    for owner, z in zip(owners, solved, strict=True):
+        multipliers[owner][filled[owner]] = z
+        filled[owner] += 1
+    left = [item.bias + item.rows @ (inverse * total) for item in items]
+    return Answer(multipliers, left, total)
 
 
 def _independent(matrix: Array) -> bool:
@@ -139,18 +144,6 @@ def _shared(
         presses = {owner: float(z) for owner, z in zip(owners, solved, strict=True)}
         most |= {i: items[i].static * presses.get(by, 0.0) for i, by in pressed.items()}
     return solved
-
-
-def _shared_out(
-    items: Sequence[Item], owners: Sequence[int], solved: Array, total: Array, inverse: Array
-) -> Answer:
-    multipliers: list[Array] = [np.zeros(len(item.rows)) for item in items]
-    filled = [0] * len(items)
-    for owner, z in zip(owners, solved, strict=True):
-        multipliers[owner][filled[owner]] = z
-        filled[owner] += 1
-    left = [item.bias + item.rows @ (inverse * total) for item in items]
-    return Answer(multipliers, left, total)
 
 
 def normal_force(items: Sequence[Item], found: Answer, i: int) -> float:

@@ -1,8 +1,10 @@
-"""What a start may not be, and what an end leaves open."""
+"""What a start may not be, what an end leaves open, and when it is out of reach: told from bounces that die away while it can be seen."""
 
 from __future__ import annotations
 
 import math
+from collections import deque
+from statistics import median
 
 from corollary.scenes.constraint import Constraint, State
 from corollary.scenes.motion.path import Trajectory
@@ -14,6 +16,10 @@ from corollary.scenes.run import BadSetting
 FINEST_OVERLAP = 1e4
 # A speed along a rod that is such a part of those of its ends is what rounding leaves: it is taken out.
 PARTING = 1e-6
+MANY = 100
+"""So many happenings are held against as many before them."""
+SLOWER = 0.9
+"""Bounces that die away have lost more than the rest of their speed meanwhile."""
 
 
 def refuse_bad_start(system: System, start: State, sizes: Sizes) -> None:
@@ -56,3 +62,32 @@ def hit_in_doubt(system: System, path: Trajectory, mode: Mode, slow: float) -> b
         status == "off" and abs(c.gap(time, y)) < path.near and abs(system.rate(time, y, c)) > slow
         for c, status in zip(system.constraints, mode.held, strict=True)
     )
+
+
+class Pace:
+    """The last happenings: when (s) each was, after how many steps, and how fast (m/s) what hits or touches closed then."""
+
+    def __init__(self) -> None:
+        self.seen: deque[tuple[float, int, float | None]] = deque(maxlen=2 * MANY + 1)
+
+    def met(self, time: float, steps: int, speed: float | None) -> None:
+        """One more; `speed` for hits and touches alone."""
+        self.seen.append((time, steps, speed))
+
+    @property
+    def lasted(self) -> float:
+        """How long (s) the last of them took together."""
+        return self.seen[-1][0] - self.seen[-1 - MANY][0]
+
+    def hopeless(self, left: float, steps: int) -> bool:
+        """Whether so many steps do not reach an end so far ahead (s) at this pace, and nothing slows down."""
+        if len(self.seen) <= 2 * MANY:
+            return False
+        spent = self.seen[-1][1] - self.seen[-1 - MANY][1]
+        if left * spent <= steps * self.lasted:
+            return False
+        before, now = (self._speed(first, first + MANY) for first in (1, MANY + 1))
+        return now >= SLOWER * before
+
+    def _speed(self, first: int, last: int) -> float:
+        return median([speed for _, _, speed in list(self.seen)[first:last] if speed is not None] or [0.0])

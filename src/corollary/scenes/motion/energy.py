@@ -1,4 +1,4 @@
-"""The energies of a scene, who conserves them, and whether its bodies will ever meet."""
+"""The momentum and the energies of a scene, who conserves them, and whether its bodies will ever meet."""
 
 from __future__ import annotations
 
@@ -7,8 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from corollary.scenes.constraint import State
-from corollary.scenes.rows import spin
-from corollary.scenes.scene import Conserves, Force, Scene, overlap, seen_from, start_of, velocity
+from corollary.scenes.scene import Conserves, Scene, overlap, seen_from, spin, start_of, velocity
 
 if TYPE_CHECKING:
     from corollary.scenes.motion.system import Mode
@@ -21,6 +20,25 @@ def masses_at(scene: Scene, time: float) -> list[float]:
         for i, rate in force.mass_rates:
             masses[i] += rate * time
     return masses
+
+
+def momentum(scene: Scene, time: float, state: State) -> tuple[float, ...]:
+    """The sum of mass times velocity (kg m/s) over all bodies that are no walls, by components."""
+    loose = [(i, m) for i, m in enumerate(masses_at(scene, time)) if not math.isinf(m)]
+    return tuple(
+        math.fsum(m * velocity(scene, state, i)[axis] for i, m in loose) for axis in range(scene.axes)
+    )
+
+
+def impulses(scene: Scene, before: State, after: State) -> tuple[float, ...]:
+    """The change of momentum (kg m/s) of each body that is no wall, body after body."""
+    loose = [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]
+    changes = (
+        (i, u, v)
+        for i in loose
+        for u, v in zip(velocity(scene, before, i), velocity(scene, after, i), strict=True)
+    )
+    return tuple(scene.bodies[i].mass * (v - u) for i, u, v in changes)
 
 
 def kinetic(scene: Scene, time: float, state: State) -> float:
@@ -56,12 +74,7 @@ def keeps_energy(scene: Scene, mode: Mode | None = None) -> bool:
     if mode is None:
         return Conserves.ENERGY in scene.conserves and not any(f.rubs_surfaces for f in scene.forces)
     steady = all(isinstance(s, str) for s in mode.rubbed)
-    return steady and all(Conserves.ENERGY in force.conserves or _only_holds(force) for force in scene.forces)
-
-
-def _only_holds(force: Force) -> bool:
-    """A wall at rest, a string or a rub: it does no work while nothing hits or slips."""
-    return force.does_no_work_at_rest
+    return steady and all(Conserves.ENERGY in f.conserves or f.does_no_work_at_rest for f in scene.forces)
 
 
 def never_meets(scene: Scene, state: State, slow: float = 0.0) -> bool:

@@ -9,12 +9,11 @@ import math
 import numpy as np
 
 from corollary.scenes.constraint import farther_off
-from corollary.scenes.motion.brief import overlooked
-from corollary.scenes.motion.ends import hit_in_doubt, refuse_bad_start
+from corollary.scenes.motion.ends import MANY, Pace, hit_in_doubt, refuse_bad_start
 from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, never_meets, used_up
 from corollary.scenes.motion.guards import Guard, Guards
 from corollary.scenes.motion.modes import Moment
-from corollary.scenes.motion.pace import MANY, Pace
+from corollary.scenes.motion.own_forces import overlooked
 from corollary.scenes.motion.path import Happening, Stretch, Trajectory
 from corollary.scenes.motion.sizes import sizes_of
 from corollary.scenes.motion.steps import Stepper
@@ -168,7 +167,11 @@ class Follower:
     def _met(self, guards: Guards, stretch: Stretch, slope: Slope, index: int, part: float) -> Mode:
         """Go to where a guard falls, exactly: the step is taken again to end there; then what follows from it."""
         one, guard = guards.one(index), guards.names[index]
-        self._refuse_undecided(guard, stretch)
+        if guards.undecided(guard, stretch):
+            raise GuardFailed(
+                f"{self.scene.name}: from {stretch.begin:.6g} s on bodies stay where a force jumps (both ends of a spring at one place, a body "
+                "on the edge of a well): which way it acts is not decided. Give the bodies radii, or let them pass."
+            )
         lasts = self.steps.landing(guards.landing(index), stretch, slope, part)
         pieces = self.steps.pieces(stretch, slope, lasts)
         if guard.kind == "event" or (guard.kind == "break" and not pieces):
@@ -200,22 +203,6 @@ class Follower:
         self._refuse_hopeless(guard, speed)
         return self._after(guards, index)
 
-    def _refuse_undecided(self, guard: Guard, stretch: Stretch) -> None:
-        """Raises GuardFailed where bodies stay at the very edge of a force, as two ends of a spring of some length at one place."""
-        if guard.kind != "event":
-            return
-        event = self.system.events[guard.number]
-        least = 8.0 * math.ulp(self.sizes.long)
-        short = stretch.lasts * self.sizes.fast < 1e3 * least
-        if event.turn or event.of_speed or short:
-            return
-        if any(abs(event.value(y)) > least for y in (stretch.before, stretch.after)):
-            return
-        raise GuardFailed(
-            f"{self.scene.name}: from {stretch.begin:.6g} s on bodies stay at the very place where a force jumps (both ends of a spring "
-            "at one place, a body on the edge of a well): which way it acts is not decided. Give the bodies radii, or let them pass."
-        )
-
     def _refuse_hopeless(self, guard: Guard, speed: float) -> None:
         """Raises GuardFailed where happenings come so fast, one after the other, that the end is not reached."""
         time, left = self.path.time, self._left()
@@ -244,11 +231,12 @@ class Follower:
                     "Give them one, or radius zero, or name them in passes=…"
                 )
             case "event":
-                event = self.system.events[guard.number]
+                event, axes = self.system.events[guard.number], self.scene.axes
                 if event.turn is None:
                     sides[guard.number] = -sides[guard.number]
                 else:
-                    self._turn(moment, guard.number)
+                    start = self.system.count + axes * event.body
+                    moment.y[start : start + axes] = event.turn(moment.y)
             case "release":
                 moment.barred_constraints = frozenset({guard.number})
             case "break":
@@ -256,12 +244,6 @@ class Follower:
             case "hit" | "stop":
                 pass
         return self._decide(moment, tuple(touching), tuple(sides))
-
-    def _turn(self, moment: Moment, number: int) -> None:
-        event, axes = self.system.events[number], self.scene.axes
-        start = self.system.count + axes * event.body
-        if event.turn is not None:
-            moment.y[start : start + axes] = event.turn(moment.y)
 
     def _drifted(self, mode: Mode) -> bool:
         """Whether steps have moved bodies off what holds them by more than is allowed to one."""

@@ -10,17 +10,16 @@ from typing import Literal
 import numpy as np
 
 from corollary.scenes.constraint import State
-from corollary.scenes.motion.clusters import clusters
+from corollary.scenes.integrate.contact_motion import NEAREST
 from corollary.scenes.motion.complementarity import normal_force
 from corollary.scenes.motion.isolation import minima
+from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
 from corollary.scenes.scene import pairs, seen_from
 
 Value = Callable[[float, State], float]
 Kind = Literal["touch", "overlap", "soft", "hit", "event", "release", "break", "stop"]
-# Centres nearer than this share of the reach: no contact law means anything there.
-NEAREST = 1e-3
 # What friction holds to within this share of all it can is at its limit.
 EXHAUSTED = 1e-6
 
@@ -119,12 +118,21 @@ class Guards:
         one = self.one(index)
         return (lambda t, y: one(t, y) - self.late) if self.names[index].kind == "hit" else one
 
+    def undecided(self, guard: Guard, stretch: Stretch) -> bool:
+        """Whether bodies stay at the very edge of a force, as two ends of a spring of some length that are pressed to one place."""
+        if guard.kind != "event":
+            return False
+        event, least = self.system.events[guard.number], 8.0 * math.ulp(self.sizes.long)
+        long_enough = stretch.lasts * self.sizes.fast > 1e3 * least
+        stays = all(abs(event.value(y)) <= least for y in (stretch.before, stretch.after))
+        return stays and long_enough and event.turn is None and not event.of_speed
+
     def broken(self, number: int, time: float, y: State) -> dict[int, tuple[float, ...]]:
         """What slips from now on when a rub breaks loose, and which way: it, what held the same to its limit, and what slips already."""
         items, forces, _ = self.system.held(time, y, self.since, self.mode)
         held, rubbed = [i for i, s in enumerate(self.mode.held) if s == "on"], self.mode.rubbed
         active = [k for k, s in enumerate(rubbed) if s != "off"]
-        together = next(own for _, own in clusters(self.system, time, y, held, active) if number in own)
+        together = next(own for _, own in self.system.clusters(time, y, held, active) if number in own)
         found = {k: way for k in together if isinstance(way := rubbed[k], tuple)}
         for k, at in self.sticks:
             z, most = forces.multipliers[at], items[at].static * normal_force(items, forces, at)

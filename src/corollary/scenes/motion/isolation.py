@@ -44,11 +44,8 @@ def _halving(side: float) -> Array:
 
 def _derivative() -> Array:
     """From the coefficients of a series to those of its derivative."""
-    unit = np.eye(DEGREE + 1)
-    columns = [
-        np.append(np.asarray(np.polynomial.chebyshev.chebder(unit[k])), 0.0) for k in range(DEGREE + 1)
-    ]
-    return np.stack([np.resize(c, DEGREE + 1) if len(c) == DEGREE + 1 else c for c in columns], axis=1)
+    derived = np.polynomial.chebyshev.chebder(np.eye(DEGREE + 1))
+    return np.vstack([derived, np.zeros(DEGREE + 1)]).astype(np.float64)
 
 
 TRANSFORM = _transform()

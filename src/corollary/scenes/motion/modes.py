@@ -8,7 +8,6 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from corollary.scenes.motion.clusters import clusters
 from corollary.scenes.motion.complementarity import Item, Status, answer, redirected, settled
 from corollary.scenes.motion.reversal import left_over
 from corollary.scenes.motion.sizes import Sizes
@@ -74,16 +73,15 @@ class Moment:
     def _near(self) -> list[int]:
         """The constraints whose gap is closed, as far as the places tell, which may have got far from where they began."""
         known = enumerate(self.system.constraints)
-        least = 16.0 * math.ulp(max(map(abs, self.y[: self.system.count])))
-        closed = max(self.sizes.gap, least)
-        return [i for i, c in known if c.two_sided or c.gap(self.time, self.y) <= closed]
+        near = max(self.sizes.gap, 16.0 * math.ulp(max(map(abs, self.y[: self.system.count]))))
+        return [i for i, c in known if c.two_sided or c.gap(self.time, self.y) <= near]
 
     def _rate(self, i: int) -> float:
         return self.system.rate(self.time, self.y, self.system.constraints[i])
 
     def _settle_hits(self) -> None:
         system, inverse = self.system, self.system.inverse(self.time)
-        for group, _ in clusters(system, self.time, self.y, self._near(), []):
+        for group, _ in system.clusters(self.time, self.y, self._near(), []):
             rates = {i: self._rate(i) for i in group}
             hit = [i for i in group if rates[i] < -self.sizes.speed and not system.constraints[i].two_sided]
             if not hit:
@@ -130,7 +128,7 @@ class Moment:
             for k, rub in enumerate(system.rubs)
             if (self._presses(k, touching) if rub.normal else system.pressed[k] in resting)
         ]
-        for group, rubs in clusters(system, self.time, self.y, resting, rubbing):
+        for group, rubs in system.clusters(self.time, self.y, resting, rubbing):
             self._settle_group(group, rubs, gains, held, rubbed)
         creeps = tuple(
             0.1 * sizes.rest if isinstance(s, tuple) and len(s) == 2 and self._creeps(k) else 0.0

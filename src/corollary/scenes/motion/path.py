@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -148,16 +149,9 @@ class Trajectory:
         """The state at a time between the start and the end."""
         if not self.stretches:
             return self.state
-        low, high = 0, len(self.stretches) - 1
-        while low < high:
-            middle = (low + high + 1) // 2
-            low, high = (middle, high) if self.stretches[middle].begin <= time else (low, middle - 1)
+        low = max(bisect_right(self.stretches, time, key=lambda stretch: stretch.begin) - 1, 0)
         stretch = self.stretches[low]
         part = (time - stretch.begin) / stretch.lasts if stretch.lasts else 1.0
         if 0.0 < part < 1.0 and low not in self.bends:
             self.bends[low] = stretch.bent(self.count) * stretch.lasts > 0.2 * self.allowed
         return stretch.again(part) if self.bends.get(low) else stretch.at(part)
-
-    def lasted(self, first: int, last: int) -> float:
-        """The time (s) from the begin of one stretch to the end of another, added up: no digits are lost to the time before."""
-        return math.fsum(stretch.lasts for stretch in self.stretches[first : last + 1])

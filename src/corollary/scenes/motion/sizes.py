@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.motion.brief import pushed
+from corollary.scenes.motion.own_forces import pushed
 from corollary.scenes.motion.system import System
 from corollary.scenes.scene import ContactForce, Scene, start_of
 

@@ -11,7 +11,6 @@ from collections.abc import Callable
 import numpy as np
 from scipy.integrate import DOP853, Radau
 
-from corollary.scenes.motion.failing import refuse_failing
 from corollary.scenes.motion.guards import Guards
 from corollary.scenes.motion.isolation import (
     POINTS,
@@ -21,6 +20,7 @@ from corollary.scenes.motion.isolation import (
     first_fall,
     root_of,
 )
+from corollary.scenes.motion.own_forces import refuse_failing
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Mode, Slope, System
@@ -51,11 +51,9 @@ class Stepper:
     def __init__(self, system: System, sizes: Sizes, tolerance: float, share: float = 1.0) -> None:
         self.system, self.scene, self.sizes, self.tolerance = system, system.scene, sizes, tolerance
         self.most = round(share * MOST_STEPS)
-        self.steps, self.hurried, self.steady, self.stiff = 0, 0, 0, False
-        self.implicit, self.patience = 0, TRY_AGAIN
-        self.held_down, self.rate, self.fades = 0, 0.0, False
-        self.seen = [0.0] * 3
+        self.steps, self.hurried, self.fades = 0, 0, False
         self.lately: deque[float] = deque(maxlen=STEADY)
+        self.begin_anew()
         self.nearest = math.inf
         self.longest = 100.0 * sizes.long / sizes.fast if system.contacts else math.inf
         self.at_most = math.inf

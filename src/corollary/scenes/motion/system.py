@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,7 @@ from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.motion.complementarity import Answer, Item, Status, answer
 from corollary.scenes.refused import is_own
 from corollary.scenes.run import BadSetting, NoForce
-from corollary.scenes.scene import ContactForce, Event, Force, Scene, opposite
+from corollary.scenes.scene import ContactForce, Scene, opposite
 
 Array = NDArray[np.float64]
 Slope = Callable[[float, Array], list[float]]
@@ -35,32 +35,19 @@ class Mode:
     creeps: tuple[float, ...] = ()
 
 
-@dataclass(slots=True)
 class System:
-    """A scene taken apart once: its constraints, rubs, contacts and events in lists, so that a mode can name them by number."""
+    """A scene taken apart once: its constraints, rubs, contacts and events in lists, so that a mode can name them by number.
 
-    scene: Scene
-    constraints: list[Constraint] = field(init=False)
-    rubs: list[Rub] = field(init=False)
-    pressed: list[int] = field(init=False)
-    contacts: list[tuple[ContactForce, int, int]] = field(init=False)
-    rub_contacts: list[int] = field(init=False)
-    events: list[Event] = field(init=False)
-    changing: list[tuple[int, float]] = field(init=False)
-    steady: list[float] = field(init=False)
-    fixed: Array | None = field(init=False, default=None)
-    count: int = field(init=False)
-    """How many places there are; as many velocities."""
-    always: list[Force] = field(init=False)
-    """The forces that need no touch."""
-    heavy: list[float] = field(init=False)
-    """The masses (kg) at the start."""
-    evaluations: int = field(init=False, default=0)
+    There are `count` places, and as many velocities; `always` are the forces that need no touch, `heavy` the masses (kg) at the start.
+    """
 
-    def __post_init__(self) -> None:
-        scene = self.scene
+    def __init__(self, scene: Scene) -> None:
+        self.scene, self.evaluations = scene, 0
         self.count, self.heavy = scene.axes * len(scene.bodies), [body.mass for body in scene.bodies]
-        self.constraints, self.rubs, self.pressed, self.rub_contacts = [], [], [], []
+        self.constraints: list[Constraint] = []
+        self.rubs: list[Rub] = []
+        self.pressed: list[int] = []
+        self.rub_contacts: list[int] = []
         self.always = [force for force in scene.forces if not isinstance(force, ContactForce)]
         self.contacts = [(force, a, b) for force in scene.contacts for a, b in force.serves(scene)]
         for force in scene.forces:
@@ -69,15 +56,13 @@ class System:
             self.constraints += held
             for rub in force.rubs(scene, held):
                 self.rubs.append(rub)
-                at = next((i for i, c in enumerate(held) if c is rub.pressed), -1)
-                self.pressed.append(first + at if at >= 0 else -1)
-                touching = [
-                    j for j, (f, a, b) in enumerate(self.contacts) if f is force and (a, b) == rub.bodies
-                ]
-                self.rub_contacts.append(touching[0] if touching else -1)
+                self.pressed.append(next((first + i for i, c in enumerate(held) if c is rub.pressed), -1))
+                mine = (j for j, (f, a, b) in enumerate(self.contacts) if f is force and (a, b) == rub.bodies)
+                self.rub_contacts.append(next(mine, -1))
         self.events = [event for force in scene.forces for event in force.events(scene)]
         self.changing = [each for force in scene.forces for each in force.mass_rates]
-        self.steady = self.inverse(0.0).tolist()
+        self.fixed: Array | None = None
+        self.steady: list[float] = self.inverse(0.0).tolist()
 
     def velocity(self, y: State) -> State:
         """The generalized velocity in a state: velocities, then spins."""
@@ -240,6 +225,35 @@ class System:
         for j, m in enumerate(moved):
             gained[j] -= z * m
         return True
+
+    def clusters(
+        self, time: float, y: State, constraints: Sequence[int], rubs: Sequence[int]
+    ) -> Iterator[tuple[list[int], list[int]]]:
+        """What has to be settled together, constraints and rubs by number: no group has a movable body in common with another."""
+        movable = self.inverse(time) > 0.0
+        nodes = [(i, -1) for i in constraints] + [(-1, k) for k in rubs]
+        moved: list[Array] = []
+        for i, k in nodes:
+            rows = [self.constraints[i].row(time, y)] if k < 0 else self.rubs[k].rows(time, y)
+            moved.append((np.abs(np.array(rows)).sum(axis=0) > 0.0) & movable)
+        # A velocity row across a wall reaches the body's other components, too: what it shares is the body.
+        bodies = [frozenset(self._body(j) for j in np.flatnonzero(each).tolist()) for each in moved]
+        left = list(range(len(nodes)))
+        while left:
+            group = [left.pop(0)]
+            reached = set(bodies[group[0]])
+            while more := [j for j in left if reached & bodies[j]]:
+                group += more
+                left = [j for j in left if j not in more]
+                reached.update(*(bodies[j] for j in more))
+            yield (
+                [nodes[j][0] for j in group if nodes[j][1] < 0],
+                [nodes[j][1] for j in group if nodes[j][1] >= 0],
+            )
+
+    def _body(self, component: int) -> int:
+        """The body to which a component of the generalized velocity belongs."""
+        return component // self.scene.axes if component < self.count else component - self.count
 
     def held(self, time: float, y: State, since: State, mode: Mode) -> tuple[list[Item], Answer, list[float]]:
         """What holds in a mode, with which forces; and the accelerations without them."""

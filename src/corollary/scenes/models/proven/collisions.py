@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import reduce
 
 from flint import arb
 
@@ -30,9 +31,7 @@ def row(
         tuple(v / speed for v in map(arb, velocities)), tuple(-gap / length for gap in map(arb, gaps))
     )
     seen = follow.row(law, start)
-    deepest = arb(0)
-    for overlap in seen.overlaps:
-        deepest = deepest.max(overlap)
+    deepest = reduce(arb.max, seen.overlaps, arb(0))
     values: dict[str, arb | tuple[arb, ...]] = {
         "velocities": tuple(speed * v for v in seen.state.speeds),
         "largest_overlap": length * deepest,

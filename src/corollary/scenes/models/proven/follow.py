@@ -89,12 +89,10 @@ def pair(law: PairLaw, start: State) -> Followed:
         if ends:
             if not (rate < 0 and state.places[0] > 0):
                 raise MoreDigits
+            # Between the two the overlap falls at some of the rates there are.
+            length = state.places[0] / -rate
         elif not (on[0] or rate > 0 or rate < 0) and law.weight > 0 and not box[1][0] > 0:
             raise MoreDigits  # weight may let it leave and come back within the step
-        if ends:
-            length = (
-                state.places[0] / -rate
-            )  # between the two the overlap falls at some of the rates there are
         seen.overlaps[0] = _deepest(step, law, 0, rate, seen.overlaps[0], near=not on[0])
         seen.force_square = maximum(
             lambda t, s=step, on=on: law.force_square(*_parts(s.at(t)), on), length, seen.force_square

@@ -1,17 +1,19 @@
-"""Forces of somebody's own that may act for shorter than a step lasts: a kick that falls between a step's stages is not felt by it."""
+"""Forces of somebody's own: kicks shorter than a step, which its stages do not feel, and functions without a value, where no step gets on."""
 
 # pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
 from corollary.scenes.constraint import State
 from corollary.scenes.motion.isolation import POINTS, Array, coefficients
 from corollary.scenes.motion.path import Stretch
-from corollary.scenes.run import NoForce
+from corollary.scenes.refused import failing
+from corollary.scenes.run import GuardFailed, NoForce
 from corollary.scenes.scene import Force, Scene
 
 LOOKS = 4000
@@ -22,11 +24,18 @@ BENT = 1.0 / LOOKS
 """A stage inside a kick bends a step's polynomial to where the kick is not: its slopes then differ from its speeds by more than such a part."""
 GLANCES = 400
 """So often they are looked at to know beforehand how strong they are."""
+AHEAD = 1e-6
+"""How far on it is asked for a value, as a part of the time that has passed: from some roundings of it on, ever farther."""
+
+
+def _own(scene: Scene) -> list[Force]:
+    """Those of functions, and of classes that somebody else wrote."""
+    return [force for force in scene.forces if force.may_be_brief]
 
 
 def pushed(scene: Scene, start: State) -> float:
     """What such forces would do to bodies that stay where they start: the mean (m/s^2, of absolute values) from begin to end."""
-    forces = [force for force in scene.forces if force.may_be_brief]
+    forces = _own(scene)
     if not forces or scene.until is None:
         return 0.0
     times = [(i + 0.5) * scene.until / GLANCES for i in range(GLANCES)]
@@ -48,7 +57,7 @@ def overlooked(scene: Scene, stretch: Stretch, fast: float, tolerance: float, ma
 
     What it is at many moments is compared with the series through those at which events are looked for.
     """
-    forces = [force for force in scene.forces if force.may_be_brief]
+    forces = _own(scene)
     looks = math.ceil(LOOKS * stretch.lasts / (scene.until or math.inf)) if forces else 0
     if looks < 2:
         return False
@@ -71,3 +80,33 @@ def _felt(scene: Scene, forces: list[Force], stretch: Stretch, parts: Array) -> 
             for time, state in zip(times.tolist(), stretch.states(parts), strict=True)
         ]
     )
+
+
+def refuse_failing(scene: Scene, time: float, state: State) -> None:
+    """Raises GuardFailed where such a force gives nan, or has no value, at a moment or just after it."""
+    for when, y in _from_there(scene, time, state):
+        for force in _own(scene):
+            try:
+                given = list(force.accelerations(scene, when, y, y))
+            except NoForce as error:
+                raise GuardFailed(str(error)) from error
+            except (ArithmeticError, ValueError) as error:
+                if isinstance(error, GuardFailed):
+                    raise
+                raise GuardFailed(failing(f"{scene.name}: {type(force).__name__}", when, error)) from error
+            if any(map(math.isnan, given)):
+                raise GuardFailed(
+                    f"{scene.name}: {type(force).__name__} gives nan at {when:.6g} s, which is no number; mend it, or watch for a shorter time."
+                )
+
+
+def _from_there(scene: Scene, time: float, state: State) -> Iterator[tuple[float, State]]:
+    """Moments (s) from one on, and the states there if bodies went on straight."""
+    count = scene.axes * len(scene.bodies)
+    ahead, end = 0.0, time if scene.until is None else scene.until
+    while ahead <= AHEAD * max(time, 1e-3 * end):
+        yield (
+            time + ahead,
+            [*(x + ahead * v for x, v in zip(state[:count], state[count:], strict=False)), *state[count:]],
+        )
+        ahead = 2.0 * ahead or 2.0 * math.ulp(time or end)

@@ -13,7 +13,7 @@ from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
-from corollary.scenes.motion.brief import LOOKS
+from corollary.scenes.motion.own_forces import LOOKS
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable, Run, components
 from corollary.scenes.scene import Body, Force, Scene
