@@ -113,7 +113,7 @@ OBSERVED: dict[str, dict[str, str]] = {
         "energy_lost": "as the sand is brought to the car's speed (J)",
     },
     "rocket": {
-        "velocities": "at the end of a steady burn (m/s)",
+        "velocities": "the middle of `bracket`, in which a steady burn ends; its bound is how far the ends are (m/s)",
         "bracket": "the end velocity if each puff leaves with v_rel relative to the rocket after it, and before it (m/s)",
     },
     "snowball": {

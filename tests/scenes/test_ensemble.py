@@ -90,6 +90,13 @@ def test_what_meets_nothing_or_begins_inside_says_so(monkeypatch):
         ("spheres", {"mA": np.array([])}, "mA is empty"),
         ("spheres", {"mA": np.array(["a"])}, "no array of numbers"),
         ("spheres", {"mA": 10**400}, "no array of numbers"),
+        ("spheres", {"vA": (1.0, 2.0, 3.0)}, "vA has 3 numbers, but there are 2 components"),
+        ("spheres", {"vA": np.ones((2, 3))}, "vA has 3 numbers, but there are 2 components"),
+        (
+            "spheres",
+            {"mA": np.ones((2, 2))},
+            "mA is a table of 2 x 2; give one value, or one for each variant",
+        ),
     ],
 )
 def test_refusals_are_sentences(name, settings, says):
@@ -140,3 +147,8 @@ def test_errors_of_a_thousand_variants_hold(name, fixed, tolerance):
         off = np.abs(values - fine.observed[what])[kept] - fine.errors[what][kept]
         assert (off <= rough.errors[what][kept]).mean() > 0.999, what
         assert (off <= 3.0 * rough.errors[what][kept]).all(), what
+
+
+def test_numbers_may_be_of_any_kind():
+    one, other = (corollary.ensemble("spheres", R=r, dx=1.0, dy=0.1) for r in (np.float32(0.25), 0.25))
+    assert one.observed["velocities"].tolist() == other.observed["velocities"].tolist()

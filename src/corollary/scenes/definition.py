@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from numbers import Real
 from typing import Any
 
 from corollary.messages import did_you_mean
@@ -102,7 +103,7 @@ def _checked(scene: str, setting: Setting, value: Any) -> Observed:
 
 
 def _number(scene: str, setting: Setting, value: object) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
+    if isinstance(value, bool) or not isinstance(value, Real):
         raise BadSetting(
             f"{scene}: {setting.name} = {short_text(value)} is not a number ({setting.meaning})."
         )

@@ -34,7 +34,8 @@ ONE_FOR_ALL = {"N", "q", "balls_in"}
 class Ensemble:
     """What became of n variants: `observed[name]` and `errors[name]` (absolute, SI, estimates) have a line for each.
 
-    `outcomes` (n,) is `released`, `missed`, `sticks` or `refused`; a variant that is refused has nan everywhere, and the duration of
+    `outcomes` (n,) is `released`, `missed`, `sticks` or `refused` (spheres that overlap at the start, too: play these alone); a variant
+    that is refused has nan everywhere, and the duration of
     one that sticks is infinite. Where a ball of a row is left with no velocity relative to its neighbour that is known, or two runs count
     touches differently, the variant is `undecided` (n,): its duration is without a later, slow touch. `evaluations` counts the forces
     evaluated for all of them, those for the errors included.
@@ -87,6 +88,11 @@ def _numbers(name: str, setting: Setting, value: Any) -> Array:
         raise BadSetting(
             f"{name}: {setting.name} = {short_text(value)} is no number, and no array of numbers, that a double holds."
         ) from None
+    if found.ndim > setting.many + 1:
+        shape = " x ".join(map(str, found.shape))
+        raise BadSetting(
+            f"{name}: {setting.name} is a table of {shape}; give one value, or one for each variant."
+        )
     if not found.size and setting.value:
         raise BadSetting(f"{name}: {setting.name} is empty; give one value, or one for each variant.")
     return found
@@ -212,6 +218,11 @@ def _gathered(
 
 
 def _spheres(settings: dict[str, Array], n: int, tolerances: tuple[float, float]) -> Ensemble:
+    for key in ("vA", "vB"):
+        if settings[key].shape[1:] not in ((), (2,)):
+            raise BadSetting(
+                f"spheres: {key} has {settings[key].shape[-1]} numbers, but there are 2 components; for several variants give a pair for each."
+            )
     ma, mb, k, eta = (np.asarray(settings[key]) for key in ("mA", "mB", "k", "eta"))
     q, reach = float(settings["q"][0]), 2.0 * settings["R"]
     va, vb = (np.broadcast_to(settings[key].T, (2, n)) for key in ("vA", "vB"))

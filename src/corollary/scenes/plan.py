@@ -193,9 +193,9 @@ def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]
             )
         return tuple(end * i / (POINTS - 1) for i in range(POINTS))
     if not all(0.0 <= t <= end and math.isfinite(t) for t in times):
-        raise BadSetting(
-            f"{scene.name}: times of a trajectory lie between 0 and {end:g} s; choose others, or a later until=…."
-        )
+        lie = "are not negative" if math.isinf(end) else f"lie between 0 and {end:g} s"
+        later = "" if math.isinf(end) else ", or a later until=…"
+        raise BadSetting(f"{scene.name}: times of a trajectory {lie} and finite; choose others{later}.")
     return tuple(map(float, times))
 
 
@@ -221,7 +221,7 @@ def _refuse_question(
         names = ", ".join(o.value for o in Observable)
         raise BadSetting(f"{scene.name}: nothing is to be observed; name at least one of {names}.")
     refuse_tolerance(scene.name, tolerance)
-    if not _are(times, Real):
+    if not _are(times, Real) or any(isinstance(t, bool) for t in times):
         raise BadSetting(
             f"{scene.name}: times = {short_text(times)} must be a tuple of times in s, (1.0,) with its comma for a single one."
         )

@@ -44,7 +44,7 @@ class Follower:
             ]
         if scene.until is None and not (scene.contacts == scene.forces and len(scene.bodies) > 1):
             raise BadSetting(
-                f"{scene.name}: forces other than contacts never end; say until when to watch, until=…"
+                f"{scene.name}: only contacts between bodies come to an end by themselves; say until when to watch, until=…."
             )
         self.path = Trajectory(self.system.count, state=start_of(scene))
         self.at_once, self.again = 0, 0

@@ -105,7 +105,7 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
             inner = [turn.time for turn in turns(scene, path) if turn.inward]
             if len(inner) < 2:
                 raise BadSetting(
-                    f"{scene.name}: the distance did not return twice before until = {scene.until} s."
+                    f"{scene.name}: the distance did not return twice before the end, {path.time:.6g} s; watch for a longer time."
                 )
             return _period(scene, path, inner)
         case Observable.IMPULSE:
