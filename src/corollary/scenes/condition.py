@@ -11,9 +11,9 @@ from corollary.scenes.progress import part
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, components
 
 MOVED = 1e-7  # as a share of a setting: small, and still far above what rounding does to values
-# Evaluations of forces: a run dearer than that is repeated once, with all settings moved together. The clock does not decide it, for on a
-# machine that is busy the same scene would get another condition.
-DEAR = 1200
+# Evaluations of forces in all: where runs with one setting moved after the other cost more, all are moved together, in one. The clock does
+# not decide it, for on a machine that is busy the same scene would get another condition.
+DEAR = 12_000
 APART = 0.618  # the golden ratio: its multiples leave parts of one that are all different
 ILL = 1e6  # from this condition on it is worth a warning
 DIGITS = 15.95  # of a double
@@ -63,7 +63,7 @@ def _moved(found: Run) -> Iterator[tuple[str, dict[str, object]]]:
         for each in SCENES[found.scene].settings
         if not each.whole and any(components(found.settings[each.name]))
     ]
-    if found.evaluations <= DEAR:
+    if found.evaluations * len(numbers) <= DEAR:
         for name in numbers:
             yield name, {**found.settings, name: _times(found.settings[name], 1.0 - MOVED)}
         return
