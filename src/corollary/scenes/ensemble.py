@@ -35,10 +35,9 @@ class Ensemble:
     """What became of n variants: `observed[name]` and `errors[name]` (absolute, SI, estimates) have a line for each.
 
     `outcomes` (n,) is `released`, `missed`, `sticks` or `refused` (spheres that overlap at the start, too: play these alone); a variant
-    that is refused has nan everywhere, and the duration of
-    one that sticks is infinite. Where a ball of a row is left with no velocity relative to its neighbour that is known, or two runs count
-    touches differently, the variant is `undecided` (n,): its duration is without a later, slow touch. `evaluations` counts the forces
-    evaluated for all of them, those for the errors included.
+    that is refused has nan everywhere, and the duration of one that sticks is infinite. Where a ball of a row is left with no velocity
+    relative to its neighbour that is known, or two runs count touches differently, the variant is `undecided` (n,): its duration is
+    without a later, slow touch. `evaluations` counts the forces evaluated for all of them, those for the errors included.
     """
 
     observed: dict[str, Array]

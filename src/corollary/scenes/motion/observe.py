@@ -209,9 +209,9 @@ def _outward(scene: Scene, y: Sequence[float]) -> float:
 
 def flat(scene: Scene, path: Trajectory) -> bool:
     """Whether the distance of the first body never changes by more than errors of steps: on a circle nothing turns."""
-    states = [y for each in path.stretches for y in each.sampled()]
-    least = path.near * max((math.hypot(*velocity(scene, y, 0)) for y in states), default=0.0)
-    return all(abs(_outward(scene, y)) <= least for y in states)
+    ends = (path.state, *(each.before for each in path.stretches))
+    least = path.near * max(math.hypot(*velocity(scene, y, 0)) for y in ends)
+    return all(abs(_outward(scene, y)) <= least for each in path.stretches for y in each.sampled())
 
 
 def _inside(scene: Scene, stretch: Stretch) -> list[Turn]:
