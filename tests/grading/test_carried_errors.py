@@ -63,10 +63,13 @@ def test_nearly_all_carried_errors_are_followed(figures):
 
 @pytest.mark.whole
 def test_a_constant_in_every_part_earns_next_to_nothing():
-    """One coincidence in twelve variants may be more: where there is one, many variants are looked at."""
-    found = constants.measure(12, [])
+    """One coincidence in four variants may be more: where there is one, more variants are looked at.
+
+    The same with twelve and 48 variants is benchmarks/results/constants.md.
+    """
+    found = constants.measure(4, [])
     assert max(found["constants"].values()) < 0.5
     more = [code for code, shares in found["problems"].items() if max(shares.values()) >= 2]
-    assert len(more) < 4, more
+    assert len(more) < 6, more
     if more:
-        assert constants.measure(48, more)["worst"] < 2
+        assert constants.measure(24, more)["worst"] < 2
