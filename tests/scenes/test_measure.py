@@ -127,3 +127,22 @@ def test_values_and_errors_are_floats_whatever_numbers_a_scene_is_made_of():
     found = play(scene, asked, times=(np.float64(0.2),))
     for each in (*found.observed.values(), *found.errors.values()):
         assert {type(x) for x in components(each)} <= {float}
+
+
+def test_what_no_force_moves_is_known_however_badly_the_others_are():
+    """A nail at rest and a wall-like body that drifts, beside a swing followed roughly, and a disc that all but misses a peg."""
+    nail = Body(math.inf, (0.0, 0.0), (0.0, 0.0), 0.1)
+    drifting = Body(math.inf, (40.0, 40.0), (0.1, -0.2))
+    disc = Body(1.0, (-1.0, 0.2 - 2e-17), (3.0, 0.0), 0.1)
+    scene = Scene((nail, drifting, disc), (Contact(1e9, 1.5), Weight(9.8)), until=0.5)
+    found = play(scene, {Observable.VELOCITIES, Observable.TRAJECTORY}, 1e-4, times=(0.25, 0.5))
+    assert found.observed["velocities"][:4] == (0.0, 0.0, 0.1, -0.2)
+    assert max(found.errors["velocities"][:4]) < 1e-11 < found.errors["velocities"][4]
+    for begin, time in ((0, 0.25), (6, 0.5)):
+        seen, off = (
+            components(each)[begin : begin + 6]
+            for each in (found.observed["trajectory"], found.errors["trajectory"])
+        )
+        truth = 0.0, 0.0, 40.0 + 0.1 * time, 40.0 - 0.2 * time
+        assert all(abs(a - b) <= e < 1e-10 for a, b, e in zip(seen, truth, off, strict=False))
+        assert off[4] > 1e-9

@@ -129,17 +129,25 @@ def measured(
         if contact_span(right):
             rounding += math.ulp(right.long) / right.deep * max(condition or 1.0, 1.0) * size
         # One that cannot be followed leaves nothing certain.
-        beside = [_apart(look(scene, path, what, times), value) if path else (size,) for path in shifted]
-        extra = _extra(scene, right, what) + max((max(each, default=0.0) for each in beside), default=0.0)
+        beside = [
+            _apart(look(scene, path, what, times), value) if path else (size,) * len(apart) for path in shifted
+        ]
+        decided = _together(scene, what, [max(each) for each in zip(*beside, strict=True)] or [0.0] * len(apart))
         # Places keep what velocities forget: that of several steps.
         several = 3.0 if right.fades and what is Observable.TRAJECTORY else 1.0
-        least = several * step_off * size + rounding + extra + (lost * size if what in BY_BODY else 0.0)
+        least = several * step_off * size + rounding + _extra(scene, right, what)
+        least += lost * size if what in BY_BODY else 0.0
         errors = tuple(
             SAFETY * each
             + least
+            + decided[i]
             + (share[i] if len(share) == len(apart) and what in BY_BODY else 0.3 * max(share) * size)
             for i, each in enumerate(apart)
         )
+        if what in (Observable.VELOCITIES, Observable.TRAJECTORY):
+            # No force moves what has no end of mass: but for rounding it is where it goes by itself.
+            heavy = [math.isinf(body.mass) for body in scene.bodies for _ in range(scene.axes)]
+            errors = tuple(min(e, 1e-12 * size) if heavy[i % len(heavy)] else e for i, e in enumerate(errors))
         error: Observed = errors if isinstance(value, tuple) else errors[0]
         size = size or _unmet(right, what)
         found[what.value] = Measurement(value, error, "estimate", "integration", why, size, condition)
@@ -260,6 +268,12 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
     if what in (Observable.IMPULSE, Observable.MOMENTUM):
         return path.dropped * max((b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0)
     return 0.0
+
+
+def _together(scene: Scene, what: Observable, each: Sequence[float]) -> list[float]:
+    """For every component the largest of its body's, where bodies have such; otherwise of all."""
+    axes = scene.axes if what in BY_BODY else len(each) or 1
+    return [max(each[i - i % axes : i - i % axes + axes]) for i in range(len(each))]
 
 
 def _apart(a: Observed, b: Observed) -> tuple[float, ...]:

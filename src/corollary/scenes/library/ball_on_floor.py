@@ -175,9 +175,7 @@ def _damped(
         "impulse": errors["velocities"] + errors["duration"] * g * lasts / speed,
     }
     scales = {"velocities": speed, "rebound_speed": speed, "impulse": m * speed, "energy_ratio": 1.0}
-    return by_relative_errors(
-        observed, sizes, collided.model, collided.why, collided.spent, result.outcome, scales
-    )
+    return collided.observed(observed, scales, sizes)
 
 
 def _overdamped(m: float, contact: Contact, speed: float, g: float, change: float) -> Run:
