@@ -130,9 +130,12 @@ def measured(
             rounding += math.ulp(right.long) / right.deep * max(condition or 1.0, 1.0) * size
         # One that cannot be followed leaves nothing certain.
         beside = [
-            _apart(look(scene, path, what, times), value) if path else (size,) * len(apart) for path in shifted
+            _apart(look(scene, path, what, times), value) if path else (size,) * len(apart)
+            for path in shifted
         ]
-        decided = _together(scene, what, [max(each) for each in zip(*beside, strict=True)] or [0.0] * len(apart))
+        decided = _together(
+            scene, what, [max(each) for each in zip(*beside, strict=True)] or [0.0] * len(apart)
+        )
         # Places keep what velocities forget: that of several steps.
         several = 3.0 if right.fades and what is Observable.TRAJECTORY else 1.0
         least = several * step_off * size + rounding + _extra(scene, right, what)

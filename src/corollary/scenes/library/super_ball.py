@@ -172,7 +172,9 @@ def _weighed(
         "duration": run.relative_error("duration") + off,
     }
     scales = {"velocities": fast.size, "heights": highest}
-    return by_relative_errors(observed, errors, run.model, run.why, run.evaluations, "released", scales, run.warnings)
+    return by_relative_errors(
+        observed, errors, run.model, run.why, run.evaluations, "released", scales, run.warnings
+    )
 
 
 SCENE = SceneDefinition("a small ball on a large one, dropped together", SETTINGS, play)

@@ -77,7 +77,9 @@ def play(settings: Settings, tolerance: float) -> Run:
         observed["momentum_change"] = change = on_a[0] + on_b[0], on_a[1] + on_b[1]
         errors["momentum_change"], scales["momentum_change"] = _share(2.0 * error_estimate, change, thrown)
     outcome = "released" if overlap > 0.0 else "missed"
-    return by_relative_errors(observed, errors, run.model, run.why, run.evaluations, outcome, scales, run.warnings)
+    return by_relative_errors(
+        observed, errors, run.model, run.why, run.evaluations, outcome, scales, run.warnings
+    )
 
 
 def _share(error_estimate: float, of: tuple[float, ...], natural: float) -> tuple[float, float]:

@@ -155,18 +155,81 @@ def normal_force(items: Sequence[Item], found: Answer, i: int) -> float:
 def settled(items: Sequence[Item], inverse: Array, where: str) -> tuple[Status, ...]:
     """The first combination of statuses that is consistent: what presses and what sticks is tried first.
 
-    Raises GuardFailed when there is none, or when there are too many to try.
+    Surfaces that face each other could squeeze a body, and hold it against any force, though nothing has pressed them together: such a
+    combination is taken only where no other moves bodies otherwise. Raises GuardFailed when there is none, or when there are too many
+    to try.
     """
     if math.prod(len(item.may) for item in items) > MOST_COMBINATIONS:
         names = ", ".join(item.name for item in items)
         raise GuardFailed(f"{where}: too many things rest on each other at once ({names}).")
+    squeezed: tuple[tuple[Status, ...], Array] | None = None
     for statuses in _combinations(items):
-        if _consistent(items, statuses, answer(items, statuses, inverse), inverse):
+        found = answer(items, statuses, inverse)
+        if not _consistent(items, statuses, found, inverse):
+            continue
+        if squeezed is None:
+            if not _may_squeeze(items, statuses, inverse):
+                return statuses
+            squeezed = statuses, inverse * found.total
+        elif _differ(squeezed[1], inverse * found.total) and not _may_squeeze(items, statuses, inverse):
             return statuses
+    if squeezed is not None:
+        return squeezed[0]
     names = ", ".join(item.name for item in items)
     raise GuardFailed(
         f"{where}: no forces of rigid bodies obey Coulomb's law here ({names}); give the contact a stiffness instead."
     )
+
+
+def _differ(one: Array, other: Array) -> bool:
+    return float(np.abs(one - other).max()) > 1e-6 * float(max(np.abs(one).max(), np.abs(other).max()))
+
+
+def _may_squeeze(items: Sequence[Item], statuses: Sequence[Status], inverse: Array) -> bool:
+    """Whether what presses, with the friction that it allows, can be in balance with nothing else: as two walls that face each other can."""
+    pressing = [i for i, status in enumerate(statuses) if status == "on"]
+    rubbing = [i for i, item in enumerate(items) if item.pressed >= 0 and statuses[i] != "off"]
+    if sum(not items[i].two_sided for i in pressing) < 2:
+        return False
+    rows = np.vstack([items[i].rows for i in (*pressing, *rubbing)])[:, inverse > 0.0]
+    if np.linalg.matrix_rank(rows / (np.linalg.norm(rows, axis=1, keepdims=True) + 1e-300), 1e-9) == len(
+        rows
+    ):
+        return False
+    from scipy.optimize import linprog  # here, since few scenes come so far
+
+    # Friction is bounded by what presses it, and where it slips, not only may begin to, it is given by that.
+    columns = len(rows)
+    first = {i: n for n, i in enumerate(pressing)}
+    equal, above, at = [*rows.T], list[Array](), len(pressing)
+    for i in rubbing:
+        item, status = items[i], statuses[i]
+        parts = range(at, at + len(item.rows))
+        at += len(item.rows)
+        for n, part in enumerate(parts):
+            bound = np.zeros(columns)
+            bound[part] = 1.0
+            if isinstance(status, tuple) and "stick" not in item.may:
+                bound[first[item.pressed]] = item.kinetic * status[n]
+                equal.append(bound)
+            else:
+                for sign in (1.0, -1.0):
+                    above.append(sign * bound)
+                    above[-1][first[item.pressed]] = -item.static
+    ends = [
+        (None, None) if n >= len(pressing) or items[pressing[n]].two_sided else (0.0, 1.0)
+        for n in range(columns)
+    ]
+    wanted = [-1.0 if end[0] == 0.0 else 0.0 for end in ends]
+    found = linprog(
+        wanted,
+        A_ub=np.array(above) if above else None,
+        b_ub=np.zeros(len(above)) if above else None,
+        A_eq=np.array(equal),
+        b_eq=np.zeros(len(equal)),
+        bounds=ends,
+    )
+    return bool(found.status == 0 and -found.fun > 1e-6)
 
 
 def redirected(items: Sequence[Item], inverse: Array) -> list[Item]:
