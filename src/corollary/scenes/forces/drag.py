@@ -30,10 +30,7 @@ class Drag(ForceOnOne):
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         relative = self._relative(scene, state)
-        speed = math.hypot(*relative)
-        if scene.axes == 1 and (before := self._relative(scene, since)[0]):
-            speed = math.copysign(1.0, before) * relative[0]  # the smooth law of this side, until the event
-        pull = self.linear + self.quadratic * speed
+        pull = self.linear + self.quadratic * math.hypot(*relative)
         yield self.body, [-pull * v for v in relative]
 
     def events(self, scene: Scene) -> Iterator[Event]:

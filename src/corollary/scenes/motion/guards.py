@@ -169,13 +169,14 @@ class Guards:
         def square(time: float, y: State) -> float:
             return sum(v * v for v in system.slip(time, y, k))
 
+        rest = self.sizes.rests[k]
         # It is slow, or has turned by more than an eighth of a circle: its direction is looked at again.
         if self.mode.creeps and self.mode.creeps[k]:
             # It begins from rest: once it is fast enough to have a direction it is looked at again, or when it turns back.
-            self._add(guard, lambda t, y: 4.0 * self.sizes.rest**2 - square(t, y))
-            self._add(guard, lambda t, y: along(t, y) + 0.1 * self.sizes.rest)
+            self._add(guard, lambda t, y: 4.0 * rest**2 - square(t, y))
+            self._add(guard, lambda t, y: along(t, y) + 0.1 * rest)
             return
-        self._add(guard, lambda t, y: square(t, y) - self.sizes.rest**2)
+        self._add(guard, lambda t, y: square(t, y) - rest**2)
         self._add(guard, lambda t, y: 2.0 * along(t, y) * abs(along(t, y)) - square(t, y))
 
     def _add(self, guard: Guard, value: Value) -> None:

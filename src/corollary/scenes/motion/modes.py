@@ -131,14 +131,14 @@ class Moment:
         for group, rubs in system.clusters(self.time, self.y, resting, rubbing):
             self._settle_group(group, rubs, gains, held, rubbed)
         creeps = tuple(
-            0.1 * sizes.rest if isinstance(s, tuple) and len(s) == 2 and self._creeps(k) else 0.0
+            0.1 * sizes.rests[k] if isinstance(s, tuple) and len(s) == 2 and self._creeps(k) else 0.0
             for k, s in enumerate(rubbed)
         )
         return Mode(tuple(held), tuple(rubbed), tuple(touching), tuple(sides), creeps if any(creeps) else ())
 
     def _creeps(self, k: int) -> bool:
         """Whether a slip of two components is too slow to be told from rest."""
-        return math.hypot(*self.system.slip(self.time, self.y, k)) <= self.sizes.rest * 1.001
+        return math.hypot(*self.system.slip(self.time, self.y, k)) <= self.sizes.rests[k] * 1.001
 
     def _at_rest(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode | None:
         """The mode in which all that hardly slips in a plane sticks, if there is one.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from corollary.scenes.constraint import Rub
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.motion.own_forces import pushed
 from corollary.scenes.motion.system import System
@@ -15,8 +16,9 @@ from corollary.scenes.scene import ContactForce, Scene, start_of
 class Sizes:
     """`long`, `deep` and `place` (m) are those of places, of overlaps, and that of which places may be off a part; `fast` is in m/s.
 
-    Too small to see: gaps (m) of `gap` and speeds (m/s) of `speed`, bounces lower than `bounce` (m), slips in a plane slower than
-    `rest` (m/s). Within `blur` (m) rounding decides on which side of a touch a place is. Touches happen `shift` (m) later.
+    Too small to see: gaps (m) of `gap` and speeds (m/s) of `speed`, bounces lower than `bounce` (m), turns of what is slower than `rest`
+    (m/s), slips in a plane slower than the `rests` (m/s) of their rubs. Within `blur` (m) rounding decides on which side of a touch a
+    place is. Touches happen `shift` (m) later.
     """
 
     long: float
@@ -27,6 +29,7 @@ class Sizes:
     speed: float
     bounce: float
     rest: float
+    rests: tuple[float, ...]
     blur: float
     shift: float
 
@@ -39,7 +42,8 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
     fast = max([abs(v) for v in y[count : 2 * count]] + [abs(b.spin) * b.radius for b in scene.bodies])
     fast = max([fast, *(math.hypot(*rub.driven) for rub in system.rubs)])
     gained = max((abs(a) for a in system.gains(0.0, y, y)[:count]), default=0.0)
-    gained = max(gained, pushed(scene, y))
+    brief = pushed(scene, y)
+    gained = max(gained, brief)
     reach = gained * scene.until if scene.until else math.inf
     fast = max(fast, min(math.sqrt(long * gained), reach)) or 1.0
     deep = min([long, *(_depth(scene, fast, force, a, b) for force, a, b in system.contacts)])
@@ -52,9 +56,30 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
         speed=1e-12 * fast,
         bounce=max(0.1 * tolerance * long, 64.0 * math.ulp(long)),
         rest=max(tolerance, 1e-7) * fast,
+        # What is fast elsewhere does not make a slip slow, but steps know no speed better than they are allowed to.
+        rests=tuple(
+            max(tolerance * fast, 1e-7 * (_own(system, rub, y, brief) or fast)) for rub in system.rubs
+        ),
         blur=16.0 * math.ulp(long),
         shift=shift,
     )
+
+
+def _own(system: System, rub: Rub, y: list[float], gained: float) -> float:
+    """About how fast (m/s) the bodies of a rub will be by themselves: as they are, or as what pushes them at rest makes them.
+
+    That is `gained` (m/s^2) at least.
+    """
+    scene, count, axes = system.scene, system.count, system.scene.axes
+    mine = [axes * i + axis for i in rub.bodies for axis in range(axes)]
+    bodies = [scene.bodies[i] for i in rub.bodies]
+    still = [*y[:count], *([0.0] * (len(y) - count))]
+    gains = system.gains(0.0, still, still)
+    gained = max(gained, *(abs(gains[j]) for j in mine))
+    long = max(max(abs(y[j]) for j in mine), *(body.radius for body in bodies))
+    fast = max([abs(y[count + j]) for j in mine] + [abs(b.spin) * b.radius for b in bodies])
+    reach = gained * scene.until if scene.until else math.inf
+    return max(fast, math.hypot(*rub.driven), min(math.sqrt(long * gained), reach) if long else 0.0)
 
 
 def _depth(scene: Scene, fast: float, force: ContactForce, a: int, b: int) -> float:

@@ -1,0 +1,80 @@
+"""What is slow is followed as well as it is known, however fast it was or something else is."""
+
+import math
+
+import pytest
+
+from corollary.scenes.forces.drag import Drag
+from corollary.scenes.forces.friction import Friction
+from corollary.scenes.forces.weight import Weight
+from corollary.scenes.plan import play
+from corollary.scenes.run import Observable as O
+from corollary.scenes.scene import Body, Scene
+
+MU, G = 0.3, 9.8
+BOTH = {O.VELOCITIES, O.TRAJECTORY}
+
+
+def assert_within(found, name, *truth):
+    for value, error, true in zip(found.observed[name], found.errors[name], truth, strict=False):
+        assert abs(value - true) <= error, (name, value, true, error)
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-10, 1e-12])
+@pytest.mark.parametrize("fast", [1e2, 1e4, 1e6])
+@pytest.mark.parametrize("until", [0.3367, 1.0])
+def test_a_puck_stops_where_it_does_whatever_flies_by(tolerance, fast, until):
+    pucks = Body(1.0, (0.0, 0.0), (math.cos(0.7), math.sin(0.7))), Body(1.0, (0.0, 5.0), (fast, 0.0))
+    found = play(Scene(pucks, (Friction(0, MU),), until=until), BOTH, tolerance, times=(until,))
+    slowed = min(until, 1.0 / (MU * G))
+    way, speed = slowed - 0.5 * MU * G * slowed**2, 1.0 - MU * G * slowed
+    assert_within(found, "trajectory", way * math.cos(0.7), way * math.sin(0.7))
+    assert_within(found, "velocities", speed * math.cos(0.7), speed * math.sin(0.7))
+    if tolerance < 1e-6:
+        assert found.errors["trajectory"][0] <= max(1e-9, 1e-11 * fast) * 1e3
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.7])
+@pytest.mark.parametrize("drag", [1.0, 1e4, 1e6])
+def test_a_puck_that_a_fluid_has_all_but_stopped_comes_to_rest_by_friction(angle, drag):
+    """m v' = -c v^2 - mu m g."""
+    puck = Body(1.0, (0.0, 0.0), (math.cos(angle), math.sin(angle)))
+    for force, way in (
+        (Drag(0, quadratic=drag), 0.5 / drag * math.log1p(drag / MU / G)),
+        (Drag(0, linear=drag), 1.0 / drag - MU * G / drag**2 * math.log1p(drag / MU / G)),
+    ):
+        found = play(Scene((puck,), (force, Friction(0, MU)), until=1.0), BOTH, times=(1.0,))
+        assert_within(found, "trajectory", way * math.cos(angle), way * math.sin(angle))
+        assert max(found.errors["trajectory"]) < 1e-9
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-10, 1e-12])
+@pytest.mark.parametrize(
+    ("drag", "thrown", "times", "at"),
+    [
+        (1e8, 1.0, 1.7, 0.0),
+        (1e4, 1e3, 1.7, 0.0),
+        (1e5, 1.0, 3.0, 0.0),
+        (0.098, 1e4, 1.3, 1e6),
+        (0.098, 1e3, 1.3, 1e6),
+    ],
+)
+def test_what_a_fluid_stops_at_once_falls_at_its_own_pace(drag, thrown, times, at, tolerance):
+    last = math.sqrt(G / drag)
+    up = last / G * math.atan(thrown / last)
+    until = times * up
+    falls = G * (until - up) / last
+    high = last**2 / G * (math.log(math.hypot(1.0, thrown / last)) - math.log(math.cosh(falls)))
+    scene = Scene((Body(1.0, (at,), (thrown,)),), (Weight(G), Drag(0, quadratic=drag)), until=until)
+    found = play(scene, BOTH, tolerance, times=(until,))
+    assert_within(found, "velocities", -last * math.tanh(falls))
+    assert_within(found, "trajectory", at + high)
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-10])
+def test_what_a_fluid_stops_without_end_never_turns(tolerance):
+    drag = 1e8
+    scene = Scene((Body(1.0, (0.0,), (10.0,)),), (Drag(0, quadratic=drag),), until=1.3)
+    found = play(scene, BOTH, tolerance, times=(1.3,))
+    assert_within(found, "velocities", 10.0 / (1.0 + 13.0 * drag))
+    assert_within(found, "trajectory", math.log1p(13.0 * drag) / drag)
