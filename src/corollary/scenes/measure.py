@@ -58,9 +58,11 @@ def _paths(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, Traj
 
 @lru_cache(maxsize=8)
 def _grazing(scene: Scene, tolerance: float) -> tuple[Trajectory | None, ...]:
-    """Where a touch is missed or met by less than errors decide: the same with all touches a little later, and earlier."""
+    """Where errors decide whether there is a touch, or friction holds: the same with touches a little later and friction a little stronger,
+    and the other way round.
+    """
     rough, right, _ = _paths(scene, tolerance)
-    if not (rough.grazes or right.grazes):
+    if not (rough.grazes or right.grazes or rough.ties or right.ties):
         return ()
     found: list[Trajectory | None] = []
     for shift, begin in ((rough.near, 0.95), (-rough.near, 0.975)):
@@ -143,7 +145,7 @@ def measured(
         errors = tuple(
             SAFETY * each
             + least
-            + decided[i]
+            + 1.01 * decided[i]  # the others are off by errors of their own, and of what was changed
             + (share[i] if len(share) == len(apart) and what in BY_BODY else 0.3 * max(share) * size)
             for i, each in enumerate(apart)
         )
@@ -158,10 +160,14 @@ def measured(
         warnings.append(
             "two runs of different accuracy differ in the order of what happens: contacts all but coincide"
         )
-    if shifted:
-        when = min(rough.grazes + right.grazes)
+    if grazes := rough.grazes + right.grazes:
+        when = min(grazes)
         warnings.append(
             f"a touch grazes soon after {when:.6g} s: whether it happens is within the error, and in the errors stated"
+        )
+    if ties := rough.ties + right.ties:
+        warnings.append(
+            f"friction soon after {min(ties):.6g} s can hold as much as it must, but for errors: whether it does is in the errors stated"
         )
     worst = max((m.condition or 0.0 for m in found.values()), default=0.0)
     if worst > CHAOTIC:

@@ -8,7 +8,6 @@ import math
 
 import numpy as np
 
-from corollary.scenes.constraint import farther_off
 from corollary.scenes.motion.ends import MANY, Pace, hit_in_doubt, refuse_bad_start
 from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, never_meets, used_up
 from corollary.scenes.motion.guards import Guard, Guards
@@ -18,6 +17,7 @@ from corollary.scenes.motion.path import Happening, Stretch, Trajectory
 from corollary.scenes.motion.sizes import sizes_of
 from corollary.scenes.motion.steps import Stepper
 from corollary.scenes.motion.system import Mode, Slope, System
+from corollary.scenes.motion.ties import shift_all
 from corollary.scenes.progress import tell
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.scene import Scene, overlap, start_of
@@ -38,10 +38,6 @@ class Follower:
     def __init__(self, scene: Scene, tolerance: float, shift: float = 0.0, share: float = 1.0) -> None:
         self.scene, self.tolerance = scene, tolerance
         self.system = System(scene)
-        if shift:
-            self.system.constraints = [
-                farther_off(c, start_of(scene), shift) for c in self.system.constraints
-            ]
         if scene.until is None and not (scene.contacts == scene.forces and len(scene.bodies) > 1):
             raise BadSetting(
                 f"{scene.name}: only contacts between bodies come to an end by themselves; say until when to watch, until=…."
@@ -49,6 +45,8 @@ class Follower:
         self.path = Trajectory(self.system.count, state=start_of(scene))
         self.at_once, self.again = 0, 0
         self.sizes = sizes_of(self.system, tolerance, shift)
+        if shift:
+            shift_all(self.system, shift, self.sizes.tie)
         self.path.allowed = tolerance * self.sizes.place
         self.path.near = GRAZING * self.path.allowed
         self.path.fast, self.path.long = self.sizes.fast, self.sizes.long
@@ -99,6 +97,7 @@ class Follower:
         except GuardFailed as error:
             raise GuardFailed(f"{self.scene.name}: {error}") from None
         path.state = moment.y
+        path.ties += [path.time] * moment.tied
         if moment.dropped:
             ends = path.time + moment.lasts
             path.rests.append(ends)
@@ -148,8 +147,8 @@ class Follower:
                 self.steps.at_most = 0.5 * stretch.lasts
                 return mode
             met = self.steps.first_event(guards, stretch)
-            if self.steps.nearest < path.near:
-                path.grazes.append(stretch.begin)
+            path.grazes += [stretch.begin] * (self.steps.nearest < path.near)
+            path.ties += [stretch.begin] * self.steps.tied
             if met is not None:
                 return self._met(guards, stretch, slope, *met)
             self._add(stretch)

@@ -79,6 +79,8 @@ class Guards:
         self.sticks = [(k, len(held) + at) for at, k in enumerate(active) if mode.rubbed[k] == "stick"]
         self.names += [Guard("release", i, system.constraints[i].name) for i, _ in self.presses]
         self.names += [Guard("break", k, system.rubs[k].name) for k, _ in self.sticks]
+        self.most: list[float] = []
+        """The squares (N^2) of what each that sticks can hold, as the mode begins."""
         self.strong = self._force_noise(begun) if self.presses or self.sticks else 0.0
 
     def values(self, time: float, y: State) -> list[float]:
@@ -103,6 +105,17 @@ class Guards:
                     least = min(least, abs(value))
         return least
 
+    def tied(self, values: Array) -> bool:
+        """Whether what sticks is pulled at by all but what it can hold within a sampled step, and then by less; or by hardly more."""
+        first = len(self.names) - len(self.sticks)
+        for margins, most in zip(values[first:], self.most, strict=True):
+            near, least = 2.0 * self.sizes.tie * most, margins.min()
+            if least > max(near, 0.1 * np.ptp(margins)):
+                continue
+            if -near < least < 0.0 or any(abs(value) < near for _, value in minima(margins)):
+                return True
+        return False
+
     def one(self, index: int) -> Value:
         """A single guard as a function of time and state."""
         if index < len(self.places):
@@ -113,10 +126,13 @@ class Guards:
         """What is zero where a guard's happening takes place.
 
         A hit takes place where the gap is closed, not where it was seen to be: a body that is let go from there, time and again, would
-        gain the energy of the way between the two at each bounce.
+        gain the energy of the way between the two at each bounce. So does a stop where nothing slips any more.
         """
         one = self.one(index)
-        return (lambda t, y: one(t, y) - self.late) if self.names[index].kind == "hit" else one
+        guard = self.names[index]
+        if guard.kind == "stop" and len(self.mode.rubbed[guard.number]) == 1:
+            return lambda t, y: one(t, y) - 0.1 * self.sizes.speed
+        return (lambda t, y: one(t, y) - self.late) if guard.kind == "hit" else one
 
     def undecided(self, guard: Guard, stretch: Stretch) -> bool:
         """Whether bodies stay at the very edge of a force, as two ends of a spring of some length that are pressed to one place."""
@@ -198,6 +214,7 @@ class Guards:
     def _force_noise(self, time: float) -> float:
         """A force (N) too small to decide anything."""
         items, found, gained = self.system.held(time, self.since, self.since, self.mode)
+        self.most = [(items[at].static * normal_force(items, found, at)) ** 2 for _, at in self.sticks]
         inverse = self.system.inverse(time)
         strong = max((float(np.abs(z).max(initial=0.0)) for z in found.multipliers), default=0.0)
         strong = max([strong, *(item.given * item.static for item in items)])

@@ -9,9 +9,11 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from corollary.scenes.motion.complementarity import Item, Status, answer, redirected, settled
+from corollary.scenes.motion.projection import project
 from corollary.scenes.motion.reversal import left_over
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
+from corollary.scenes.motion.ties import tied
 from corollary.scenes.run import GuardFailed
 
 
@@ -20,8 +22,8 @@ class Moment:
     """A moment at which the law may change: the state is corrected in place, `mode` says what holds from then on.
 
     `barred` are constraints that must let go and rubs that must slip (with the direction of the force that held them), because
-    that is why the moment came; `before` is the mode until then. `hits` counts what was hit, `dropped` is the speed (m/s) taken for none, and `lasts` how long (s)
-    the bounces that were left out would have taken.
+    that is why the moment came; `before` is the mode until then. `hits` counts what was hit, `tied` says that errors decide whether
+    friction holds, `dropped` is the speed (m/s) taken for none, and `lasts` how long (s) the bounces left out would have taken.
     """
 
     system: System
@@ -32,6 +34,7 @@ class Moment:
     barred_constraints: frozenset[int] = frozenset()
     barred_rubs: dict[int, tuple[float, ...]] = field(default_factory=dict[int, tuple[float, ...]])
     hits: int = 0
+    tied: bool = False
     dropped: float = 0.0
     lasts: float = 0.0
 
@@ -39,7 +42,7 @@ class Moment:
         """Settle hits, then what holds. Raises GuardFailed where no forces of rigid bodies are consistent."""
         if self.before is not None:
             # What has been held until now, steps have left a little off.
-            self._project(*held_in(self.before))
+            project(self.system, self.time, self.y, *held_in(self.before))
         self._push_out()
         self._settle_hits()
         mode = self._at_rest(touching, sides) or self._settle_forces(touching, sides)
@@ -50,12 +53,12 @@ class Moment:
                 break
             # What brings one to rest must not set another moving: two strings would wake each other for ever.
             resting |= {*slow, *held_in(mode)[0]}
-            self._project(sorted(resting), [])
+            project(self.system, self.time, self.y, sorted(resting), [])
             mode = self._settle_forces(touching, sides)
-        self._project(*held_in(mode))
+        project(self.system, self.time, self.y, *held_in(mode))
         if self.before is not None and mode.creeps:
             for k, extra in left_over(self.system, self.time, self.y, self.before, mode):
-                self._project(held_in(mode)[0], [k], extra)
+                project(self.system, self.time, self.y, held_in(mode)[0], [k], extra)
         return mode
 
     def _push_out(self) -> None:
@@ -155,7 +158,7 @@ class Moment:
         if not moving:
             return None
         before = list(self.y)
-        self._project([], moving)
+        project(self.system, self.time, self.y, [], moving)
         try:
             mode = self._settle_forces(touching, sides)
         except GuardFailed:
@@ -204,6 +207,7 @@ class Moment:
             items, statuses = turned, settled(turned, inverse, where)
         else:
             raise GuardFailed(f"{where}: no direction in which {items[-1].name} begins to slip was found.")
+        self.tied |= tied(items, statuses, inverse, self.sizes.tie)
         for i, status in zip(group, statuses, strict=False):
             held[i] = status
         for k, status in zip(rubs, statuses[len(group) :], strict=True):
@@ -260,30 +264,6 @@ class Moment:
                 self.lasts = max(self.lasts, -2.0 * rate / pulled / (1.0 - c.restitution))
         return slow
 
-    def _project(
-        self, constraints: Sequence[int], rubs: Sequence[int], slips: Sequence[float] | None = None
-    ) -> None:
-        """Take out of the places and velocities what rounding and steps left against what holds: of rubs all slip, or these (m/s)."""
-        system, inverse = self.system, self.system.inverse(self.time)
-        rows = [system.constraints[i].row(self.time, self.y) for i in constraints]
-        if constraints:
-            gaps = [system.constraints[i].gap(self.time, self.y) for i in constraints]
-            matrix, weights = np.array(rows), inverse.copy()
-            weights[system.count :] = 0.0
-            moved = weights * (matrix.T @ _solved(matrix, weights, gaps))
-            for j, x in enumerate(moved.tolist()[: system.count]):
-                self.y[j] -= x
-            rows = [system.constraints[i].row(self.time, self.y) for i in constraints]
-        speeds = [self._rate(i) for i in constraints]
-        for k in rubs:
-            rows += system.rubs[k].rows(self.time, self.y)
-            speeds += slips or system.slip(self.time, self.y, k)
-        if rows:
-            matrix = np.array(rows)
-            change = inverse * (matrix.T @ _solved(matrix, inverse, speeds))
-            for j, v in enumerate(change.tolist(), start=system.count):
-                self.y[j] -= v
-
 
 def held_in(mode: Mode) -> tuple[list[int], list[int]]:
     """The constraints that hold in a mode, and the rubs that stick."""
@@ -291,8 +271,3 @@ def held_in(mode: Mode) -> tuple[list[int], list[int]]:
         [i for i, s in enumerate(mode.held) if s == "on"],
         [i for i, s in enumerate(mode.rubbed) if s == "stick"],
     )
-
-
-def _solved(matrix: Array, inverse: Array, right: Sequence[float]) -> Array:
-    solved = np.linalg.lstsq((matrix * inverse) @ matrix.T, np.array(right), rcond=1e-12)[0]
-    return np.asarray(solved, dtype=np.float64)

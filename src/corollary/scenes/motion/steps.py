@@ -54,7 +54,7 @@ class Stepper:
         self.steps, self.hurried, self.fades = 0, 0, False
         self.lately: deque[float] = deque(maxlen=STEADY)
         self.begin_anew()
-        self.nearest = math.inf
+        self.nearest, self.tied = math.inf, False
         self.longest = 100.0 * sizes.long / sizes.fast if system.contacts else math.inf
         self.at_most = math.inf
         """How long (s) the next phase's first step may be."""
@@ -188,7 +188,7 @@ class Stepper:
                 for x, y in zip(POINTS.tolist(), stretch.sampled(), strict=True)
             ]
         ).T
-        self.nearest = guards.nearest(values)
+        self.nearest, self.tied = guards.nearest(values), guards.tied(values)
         first: tuple[int, float] | None = None
         for i in np.flatnonzero(~certainly_positive(coefficients(values))).tolist():
             one = guards.one(i)

@@ -1,0 +1,44 @@
+"""Places and velocities put back on what holds them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from corollary.scenes.motion.system import Array, System
+
+
+def project(
+    system: System,
+    time: float,
+    y: list[float],
+    constraints: Sequence[int],
+    rubs: Sequence[int],
+    slips: Sequence[float] | None = None,
+) -> None:
+    """Take out of the places and velocities what rounding and steps left against what holds: of rubs all slip, or these (m/s)."""
+    inverse = system.inverse(time)
+    rows = [system.constraints[i].row(time, y) for i in constraints]
+    if constraints:
+        gaps = [system.constraints[i].gap(time, y) for i in constraints]
+        matrix, weights = np.array(rows), inverse.copy()
+        weights[system.count :] = 0.0
+        moved = weights * (matrix.T @ _solved(matrix, weights, gaps))
+        for j, x in enumerate(moved.tolist()[: system.count]):
+            y[j] -= x
+        rows = [system.constraints[i].row(time, y) for i in constraints]
+    speeds = [system.rate(time, y, system.constraints[i]) for i in constraints]
+    for k in rubs:
+        rows += system.rubs[k].rows(time, y)
+        speeds += slips or system.slip(time, y, k)
+    if rows:
+        matrix = np.array(rows)
+        change = inverse * (matrix.T @ _solved(matrix, inverse, speeds))
+        for j, v in enumerate(change.tolist(), start=system.count):
+            y[j] -= v
+
+
+def _solved(matrix: Array, inverse: Array, right: Sequence[float]) -> Array:
+    solved = np.linalg.lstsq((matrix * inverse) @ matrix.T, np.array(right), rcond=1e-12)[0]
+    return np.asarray(solved, dtype=np.float64)

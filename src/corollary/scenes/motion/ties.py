@@ -1,0 +1,45 @@
+"""Friction that is pulled at by all but what it can hold, or hardly more: whether it holds is not decided."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TypeVar
+
+from corollary.scenes.constraint import Rub, farther_off
+from corollary.scenes.motion.complementarity import Item, Status, settled
+from corollary.scenes.motion.system import Array, System
+from corollary.scenes.run import GuardFailed
+from corollary.scenes.scene import start_of
+
+Rubbing = TypeVar("Rubbing", Item, Rub)
+
+
+def leaned(each: Rubbing, share: float) -> Rubbing:
+    """The same with friction that much stronger."""
+    return replace(each, kinetic=each.kinetic * (1.0 + share), static=each.static * (1.0 + share))
+
+
+def shift_all(system: System, shift: float, tie: float) -> None:
+    """Let every touch happen so much (m) later and friction hold more than what is `tied` with it; or earlier and less, if negative."""
+    start = start_of(system.scene)
+    system.constraints = [farther_off(c, start, shift) for c in system.constraints]
+    system.rubs = [leaned(rub, math.copysign(2.0 * tie, shift)) for rub in system.rubs]
+
+
+def tied(items: Sequence[Item], statuses: Sequence[Status], inverse: Array, share: float) -> bool:
+    """Whether something would stick that slips, or slip that sticks, were friction by such a `share` stronger or weaker."""
+    undecided = ["stick" in item.may for item in items]
+    if not any(undecided):
+        return False
+    sticks = [status == "stick" for status in statuses]
+    for sign in (1.0, -1.0):
+        try:
+            changed = [leaned(item, sign * share * may) for item, may in zip(items, undecided, strict=True)]
+            other = settled(changed, inverse, "")
+        except GuardFailed:
+            return True
+        if [status == "stick" for status in other] != sticks:
+            return True
+    return False
