@@ -62,7 +62,7 @@ def _grazing(scene: Scene, tolerance: float) -> tuple[Trajectory | None, ...]:
     and the other way round.
     """
     rough, right, _ = _paths(scene, tolerance)
-    if not (rough.grazes or right.grazes or rough.ties or right.ties):
+    if not any(path.grazes or path.ties or path.crowds for path in (rough, right)):
         return ()
     found: list[Trajectory | None] = []
     for shift, begin in ((rough.near, 0.95), (-rough.near, 0.975)):
@@ -164,6 +164,10 @@ def measured(
         when = min(grazes)
         warnings.append(
             f"a touch grazes soon after {when:.6g} s: whether it happens is within the error, and in the errors stated"
+        )
+    if crowds := rough.crowds + right.crowds:
+        warnings.append(
+            f"at {min(crowds):.6g} s a body is hit from several sides all but at once: which hit is first is in the errors stated"
         )
     if ties := rough.ties + right.ties:
         warnings.append(

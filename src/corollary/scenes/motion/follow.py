@@ -22,8 +22,6 @@ from corollary.scenes.progress import tell
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.scene import Scene, overlap, start_of
 
-# A touch that errors of so many steps decide grazes.
-GRAZING = 100.0
 # What moves by errors of so many steps is at rest.
 NO_SPEED = 30.0
 # So many happenings at one moment are no physics: forces that call each other out.
@@ -48,7 +46,7 @@ class Follower:
         if shift:
             shift_all(self.system, shift, self.sizes.tie)
         self.path.allowed = tolerance * self.sizes.place
-        self.path.near = GRAZING * self.path.allowed
+        self.path.near = self.sizes.doubt
         self.path.fast, self.path.long = self.sizes.fast, self.sizes.long
         self.path.deep = self.sizes.deep if self.system.contacts else math.inf
         self.steps, self.pace = Stepper(self.system, self.sizes, tolerance, share), Pace()
@@ -98,6 +96,7 @@ class Follower:
             raise GuardFailed(f"{self.scene.name}: {error}") from None
         path.state = moment.y
         path.ties += [path.time] * moment.tied
+        path.crowds += [path.time] * moment.crowded
         if moment.dropped:
             ends = path.time + moment.lasts
             path.rests.append(ends)

@@ -23,7 +23,8 @@ class Moment:
 
     `barred` are constraints that must let go and rubs that must slip (with the direction of the force that held them), because
     that is why the moment came; `before` is the mode until then. `hits` counts what was hit, `tied` says that errors decide whether
-    friction holds, `dropped` is the speed (m/s) taken for none, and `lasts` how long (s) the bounces left out would have taken.
+    friction holds, `crowded` that they decide which of several hits is first; `dropped` is the speed (m/s) taken for none, and `lasts` how
+    long (s) the bounces left out would have taken.
     """
 
     system: System
@@ -35,6 +36,7 @@ class Moment:
     barred_rubs: dict[int, tuple[float, ...]] = field(default_factory=dict[int, tuple[float, ...]])
     hits: int = 0
     tied: bool = False
+    crowded: bool = False
     dropped: float = 0.0
     lasts: float = 0.0
 
@@ -84,6 +86,7 @@ class Moment:
 
     def _settle_hits(self) -> None:
         system, inverse = self.system, self.system.inverse(self.time)
+        self.crowded = self._crowded()
         for group, _ in system.clusters(self.time, self.y, self._near(), []):
             rates = {i: self._rate(i) for i in group}
             hit = [i for i in group if rates[i] < -self.sizes.speed and not system.constraints[i].two_sided]
@@ -119,6 +122,17 @@ class Moment:
             change = inverse * answer(items, statuses, inverse).total
             for j, v in enumerate(change.tolist(), start=system.count):
                 self.y[j] += v
+
+    def _crowded(self) -> bool:
+        """Whether what is hit now is hit elsewhere all but at once, so that errors decide in which order, or that it is at once."""
+        system, sizes = self.system, self.sizes
+        gaps = {i: c.gap(self.time, self.y) for i, c in enumerate(system.constraints) if not c.two_sided}
+        closing = [i for i, gap in gaps.items() if gap < sizes.doubt and self._rate(i) < -sizes.speed]
+        for group, _ in system.clusters(self.time, self.y, closing, []):
+            found = sorted(gaps[i] for i in group)
+            if found[0] <= sizes.gap and found[-1] - found[0] > 8.0 * math.ulp(sizes.long):
+                return True
+        return False
 
     def _settle_forces(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode:
         system, sizes = self.system, self.sizes

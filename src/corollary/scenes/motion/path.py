@@ -119,9 +119,9 @@ class Trajectory:
     """`happenings` are in order; `rests` the times (s) at which bounces without end were over.
 
     `grazes` are the times (s) of touches that are missed, or met, by less than `near` (m), `ties` those from which on friction holds by
-    hardly more than it must, or slips; `dropped` is a speed (m/s) that was taken
-    for rest; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene, `allowed` (m) is what a step may be off. `fades`: what faded held steps down, and
-    errors with it. `turned` are the turns of the first body's distance, once they have been looked for.
+    hardly more than it must, or slips, `crowds` those of hits whose order errors decide; `dropped` is a speed (m/s) that was taken
+    for rest; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene, `allowed` (m) is what a step may be off. `fades`:
+    what faded held steps down, and errors with it. `turned` are the turns of the first body's distance, once they have been looked for.
     """
 
     count: int
@@ -136,6 +136,7 @@ class Trajectory:
     dropped: float = 0.0
     grazes: list[float] = field(default_factory=list[float])
     ties: list[float] = field(default_factory=list[float])
+    crowds: list[float] = field(default_factory=list[float])
     near: float = 0.0
     allowed: float = 0.0
     fast: float = 0.0

@@ -11,6 +11,9 @@ from corollary.scenes.motion.own_forces import pushed
 from corollary.scenes.motion.system import System
 from corollary.scenes.scene import ContactForce, Scene, start_of
 
+# A touch that errors of so many steps decide grazes.
+GRAZING = 100.0
+
 
 @dataclass(frozen=True, slots=True)
 class Sizes:
@@ -18,7 +21,8 @@ class Sizes:
 
     Too small to see: gaps (m) of `gap` and speeds (m/s) of `speed`, bounces lower than `bounce` (m), turns of what is slower than `rest`
     (m/s), slips in a plane slower than the `rests` (m/s) of their rubs. Within `blur` (m) rounding decides on which side of a touch a
-    place is; within the share `tie` of all that friction can hold errors decide whether it holds. Touches happen `shift` (m) later.
+    place is, within `doubt` (m) errors of some steps do; within the share `tie` of all that friction can hold they decide whether it
+    holds. Touches happen `shift` (m) later.
     """
 
     long: float
@@ -31,6 +35,7 @@ class Sizes:
     rest: float
     rests: tuple[float, ...]
     blur: float
+    doubt: float
     tie: float
     shift: float
 
@@ -62,7 +67,8 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
             max(tolerance * fast, 1e-7 * (_own(system, rub, y, brief) or fast)) for rub in system.rubs
         ),
         blur=16.0 * math.ulp(long),
-        tie=max(100.0 * tolerance, 1e-9),
+        doubt=GRAZING * tolerance * min(long, 30.0 * deep),
+        tie=max(GRAZING * tolerance, 1e-9),
         shift=shift,
     )
 

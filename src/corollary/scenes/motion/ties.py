@@ -22,9 +22,12 @@ def leaned(each: Rubbing, share: float) -> Rubbing:
 
 
 def shift_all(system: System, shift: float, tie: float) -> None:
-    """Let every touch happen so much (m) later and friction hold more than what is `tied` with it; or earlier and less, if negative."""
+    """Let every touch happen so much (m) later and friction hold more than what is `tied` with it; or earlier and less, if negative.
+
+    The first wall is shifted by that, the second by twice as much, and so on: hits all but at one moment come in this order or the other.
+    """
     start = start_of(system.scene)
-    system.constraints = [farther_off(c, start, shift) for c in system.constraints]
+    system.constraints = [farther_off(c, start, i * shift) for i, c in enumerate(system.constraints, 1)]
     system.rubs = [leaned(rub, math.copysign(2.0 * tie, shift)) for rub in system.rubs]
 
 
