@@ -239,7 +239,9 @@ class Follower:
                 moment.barred_constraints = frozenset({guard.number})
             case "break":
                 moment.barred_rubs = guards.broken(guard.number, path.time, path.state)
-            case "hit" | "stop":
+            case "stop":
+                moment.stopped = guard.number
+            case "hit":
                 pass
         return self._decide(moment, tuple(touching), tuple(sides))
 

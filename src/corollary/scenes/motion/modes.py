@@ -9,12 +9,15 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from corollary.scenes.motion.complementarity import Item, Status, answer, redirected, settled
-from corollary.scenes.motion.projection import project
+from corollary.scenes.motion.projection import project, same_twice
 from corollary.scenes.motion.reversal import left_over
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
-from corollary.scenes.motion.ties import tied
+from corollary.scenes.motion.ties import crowded, tied
 from corollary.scenes.run import GuardFailed
+
+# So far ahead, in times that what is fast takes through the scene, bodies have begun to move.
+AHEAD = 1e-2
 
 
 @dataclass(slots=True)
@@ -22,7 +25,8 @@ class Moment:
     """A moment at which the law may change: the state is corrected in place, `mode` says what holds from then on.
 
     `barred` are constraints that must let go and rubs that must slip (with the direction of the force that held them), because
-    that is why the moment came; `before` is the mode until then. `hits` counts what was hit, `tied` says that errors decide whether
+    that is why the moment came, `stopped` is a rub that has just stopped slipping; `before` is the mode until then. `looks_ahead`: what
+    holds is decided by what comes next, where it is not by what is. `hits` counts what was hit, `tied` says that errors decide whether
     friction holds, `crowded` that they decide which of several hits is first; `dropped` is the speed (m/s) taken for none, and `lasts` how
     long (s) the bounces left out would have taken.
     """
@@ -34,6 +38,8 @@ class Moment:
     before: Mode | None = None
     barred_constraints: frozenset[int] = frozenset()
     barred_rubs: dict[int, tuple[float, ...]] = field(default_factory=dict[int, tuple[float, ...]])
+    stopped: int = -1
+    looks_ahead: bool = True
     hits: int = 0
     tied: bool = False
     crowded: bool = False
@@ -86,7 +92,7 @@ class Moment:
 
     def _settle_hits(self) -> None:
         system, inverse = self.system, self.system.inverse(self.time)
-        self.crowded = self._crowded()
+        self.crowded = crowded(system, self.time, self.y, self.sizes)
         for group, _ in system.clusters(self.time, self.y, self._near(), []):
             rates = {i: self._rate(i) for i in group}
             hit = [i for i in group if rates[i] < -self.sizes.speed and not system.constraints[i].two_sided]
@@ -103,36 +109,16 @@ class Moment:
                 items.append(Item(c.name, row, np.array([bias]), may, two_sided=c.two_sided))
             for k, rub in enumerate(system.rubs):
                 if system.pressed[k] in group:
-                    slip = system.slip(self.time, self.y, k)
                     rows = np.array(rub.rows(self.time, self.y))
+                    slip = np.array(system.slip(self.time, self.y, k))
                     ways: tuple[Status, ...] = ("stick", (1.0,), (-1.0,), "off")
-                    items.append(
-                        Item(
-                            rub.name,
-                            rows,
-                            np.array(slip),
-                            ways,
-                            rub=True,
-                            pressed=group.index(system.pressed[k]),
-                            kinetic=rub.kinetic,
-                            static=rub.kinetic,
-                        )
-                    )
+                    rubs = Item(rub.name, rows, slip, ways, rub=True, pressed=group.index(system.pressed[k]))
+                    rubs.kinetic = rubs.static = rub.kinetic
+                    items.append(rubs)
             statuses = settled(items, inverse, f"at {self.time:.6g} s")
             change = inverse * answer(items, statuses, inverse).total
             for j, v in enumerate(change.tolist(), start=system.count):
                 self.y[j] += v
-
-    def _crowded(self) -> bool:
-        """Whether what is hit now is hit elsewhere all but at once, so that errors decide in which order, or that it is at once."""
-        system, sizes = self.system, self.sizes
-        gaps = {i: c.gap(self.time, self.y) for i, c in enumerate(system.constraints) if not c.two_sided}
-        closing = [i for i, gap in gaps.items() if gap < sizes.doubt and self._rate(i) < -sizes.speed]
-        for group, _ in system.clusters(self.time, self.y, closing, []):
-            found = sorted(gaps[i] for i in group)
-            if found[0] <= sizes.gap and found[-1] - found[0] > 8.0 * math.ulp(sizes.long):
-                return True
-        return False
 
     def _settle_forces(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode:
         system, sizes = self.system, self.sizes
@@ -147,11 +133,36 @@ class Moment:
         ]
         for group, rubs in system.clusters(self.time, self.y, resting, rubbing):
             self._settle_group(group, rubs, gains, held, rubbed)
+            if self.looks_ahead and same_twice(
+                system, self.time, self.y, [i for i in group if held[i] == "on"]
+            ):
+                mode = Mode(tuple(held), tuple(rubbed), tuple(touching), tuple(sides))
+                later = self._ahead(mode)._settle_forces(touching, sides)
+                for i in group:
+                    held[i] = later.held[i]
+                for k in rubs:
+                    rubbed[k] = later.rubbed[k]
         creeps = tuple(
             0.1 * sizes.rests[k] if isinstance(s, tuple) and len(s) == 2 and self._creeps(k) else 0.0
             for k, s in enumerate(rubbed)
         )
         return Mode(tuple(held), tuple(rubbed), tuple(touching), tuple(sides), creeps if any(creeps) else ())
+
+    def _ahead(self, mode: Mode) -> Moment:
+        """The moment a little later, as it would come to be in a mode."""
+        lasts, count = AHEAD * self.sizes.long / self.sizes.fast, self.system.count
+        slope = self.system.slope(mode, self.y, self.time)(0.0, np.array(self.y))
+        velocities = [v + lasts * a for v, a in zip(self.y[count:], slope[count:], strict=True)]
+        places = [x + lasts * v for x, v in zip(self.y[:count], velocities, strict=False)]
+        later = replace(self, time=self.time + lasts, y=[*places, *velocities], looks_ahead=False)
+        project(
+            self.system,
+            later.time,
+            later.y,
+            [i for i in held_in(mode)[0] if self.system.constraints[i].two_sided],
+            [],
+        )
+        return later
 
     def _creeps(self, k: int) -> bool:
         """Whether a slip of two components is too slow to be told from rest."""
@@ -231,7 +242,7 @@ class Moment:
         """How a rub may go on: as it slips, or, where it does not slip, held or beginning to slip."""
         slip = self.system.slip(self.time, self.y, k)
         speed = math.hypot(*slip)
-        if not self._creeps(k) if len(slip) == 2 else speed > self.sizes.speed:
+        if not self._creeps(k) if len(slip) == 2 else speed > self.sizes.speed and k != self.stopped:
             return (tuple(v / speed for v in slip),)
         if k in self.barred_rubs:
             return (self.barred_rubs[k],)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from corollary.scenes.constraint import State
 from corollary.scenes.motion.system import Array, System
 
 
@@ -37,6 +38,13 @@ def project(
         change = inverse * (matrix.T @ _solved(matrix, inverse, speeds))
         for j, v in enumerate(change.tolist(), start=system.count):
             y[j] -= v
+
+
+def same_twice(system: System, time: float, y: State, pressed: Sequence[int]) -> bool:
+    """Whether constraints hold the same motion: which of them goes on with it is decided by how they bend, once it has begun."""
+    rows = np.array([system.constraints[i].row(time, y) for i in pressed])
+    movable = system.inverse(time) > 0.0
+    return len(rows) > 1 and bool(np.linalg.matrix_rank(rows[:, movable], 1e-9) < len(rows))
 
 
 def _solved(matrix: Array, inverse: Array, right: Sequence[float]) -> Array:

@@ -1,4 +1,4 @@
-"""Friction that is pulled at by all but what it can hold, or hardly more: whether it holds is not decided."""
+"""What errors decide: whether friction holds that can hold hardly more than it must, or less; which of several hits is first."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TypeVar
 
-from corollary.scenes.constraint import Rub, farther_off
+from corollary.scenes.constraint import Rub, State, farther_off
 from corollary.scenes.motion.complementarity import Item, Status, settled
+from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, System
 from corollary.scenes.run import GuardFailed
 from corollary.scenes.scene import start_of
@@ -44,5 +45,20 @@ def tied(items: Sequence[Item], statuses: Sequence[Status], inverse: Array, shar
         except GuardFailed:
             return True
         if [status == "stick" for status in other] != sticks:
+            return True
+    return False
+
+
+def crowded(system: System, time: float, y: State, sizes: Sizes) -> bool:
+    """Whether what is hit now is hit elsewhere all but at once, so that errors decide in which order, or that it is at once."""
+    gaps = {i: c.gap(time, y) for i, c in enumerate(system.constraints) if not c.two_sided}
+    closing = [
+        i
+        for i, gap in gaps.items()
+        if gap < sizes.doubt and system.rate(time, y, system.constraints[i]) < -sizes.speed
+    ]
+    for group, _ in system.clusters(time, y, closing, []):
+        found = sorted(gaps[i] for i in group)
+        if found[0] <= sizes.gap and found[-1] - found[0] > 8.0 * math.ulp(sizes.long):
             return True
     return False

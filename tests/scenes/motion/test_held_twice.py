@@ -1,12 +1,14 @@
-"""Rough walls that face each other: they press nothing together that nothing pushes, however well they could hold it."""
+"""What could be held in several ways: rough walls that face each other squeeze nothing, and what moves next decides who lets go."""
 
 import math
 import random
 
+import numpy as np
 import pytest
 from scipy.integrate import quad, solve_ivp
 
 from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.rod import Rod, String
 from corollary.scenes.forces.spring import Spring
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
@@ -98,3 +100,61 @@ def test_a_spring_presses_a_bead_now_to_one_side_now_to_the_other():
     for name, true in (("trajectory", truth[0]), ("velocities", truth[1])):
         assert abs(found.observed[name][0] - true) <= found.errors[name][0] + 1e-7
         assert found.errors[name][0] < 1e-6
+
+
+@pytest.mark.parametrize("tie", [String, Rod])
+@pytest.mark.parametrize(("pull_by", "mu"), [(10.0, 0.1), (-10.0, 0.1), (3.0, 0.3), (1.0, 0.1)])
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-10])
+def test_a_bob_that_just_touches_the_floor_is_off_it_as_soon_as_it_moves(tie, pull_by, mu, tolerance):
+    """String and floor hold the same motion, so neither is known to carry the weight; but the way of a bob bends upward."""
+
+    def swings(t, y):
+        return [y[1], pull_by * math.cos(y[0]) - 9.8 * math.sin(y[0])]
+
+    angle, rate = solve_ivp(swings, (0.0, 0.3), [0.0, 0.0], method="DOP853", rtol=1e-13, atol=1e-15).y[:, -1]
+    bob, nail = Body(1.0, (0.0, 0.0), (0.0, 0.0)), Body(math.inf, (0.0, 1.0), (0.0, 0.0))
+    floor = HardWall((0.0, 1.0), restitution=0.0, mu=mu, only=(0,))
+    scene = Scene((bob, nail), (tie((0, 1)), Weight(9.8), floor, pull(pull_by, 0.0)), until=0.3)
+    found = play(scene, {O.VELOCITIES}, tolerance)
+    for value, error, true in zip(
+        found.observed["velocities"],
+        found.errors["velocities"],
+        (rate * math.cos(angle), rate * math.sin(angle)),
+        strict=False,
+    ):
+        assert abs(value - true) <= error + 1e-12
+        assert error < 1e-6
+
+
+def test_a_foot_that_stops_sliding_stands():
+    """Two balls on a rod, 1 kg each, the lower one on a floor so rough that it would be pressed the harder the more it slid back."""
+    mu, g, long = 4.0, 9.8, math.hypot(0.5, 1.0)
+
+    def slides(t, y):
+        _, angle, speed, turn = y
+        sine, cosine = long * math.sin(angle), long * math.cos(angle)
+        # Both along the floor, both upward, and the upper one about the lower: the acceleration, that of the angle, what presses.
+        matrix = [[2.0, -sine, mu], [0.0, cosine, -1.0], [-sine, long**2, 0.0]]
+        gained, bends, _ = np.linalg.solve(matrix, [cosine * turn**2, sine * turn**2 - 2.0 * g, -g * cosine])
+        return [speed, turn, gained, bends]
+
+    def stops(t, y):
+        return y[2]
+
+    stops.terminal = True
+    exact = {"method": "DOP853", "rtol": 1e-13, "atol": 1e-15}
+    slid = solve_ivp(slides, (0.0, 0.3), [0.0, math.atan2(1.0, 0.5), 3.0, 0.0], events=stops, **exact)
+    _, angle, _, turn = slid.y[:, -1]
+    tipped = solve_ivp(
+        lambda t, y: [y[1], -g * math.cos(y[0]) / long], (slid.t[-1], 0.3), [angle, turn], **exact
+    )
+    angle, turn = tipped.y[:, -1]
+    truth = 0.0, 0.0, -long * math.sin(angle) * turn, long * math.cos(angle) * turn
+    floor = HardWall((0.0, 1.0), restitution=0.0, mu=mu)
+    bodies = Body(1.0, (0.0, 0.0), (3.0, 0.0)), Body(1.0, (0.5, 1.0), (3.0, 0.0))
+    found = play(Scene(bodies, (Rod((0, 1)), Weight(g), floor), until=0.3), {O.VELOCITIES})
+    for value, error, true in zip(
+        found.observed["velocities"], found.errors["velocities"], truth, strict=True
+    ):
+        assert abs(value - true) <= error + 1e-12
+        assert error < 1e-9
