@@ -146,8 +146,10 @@ class Follower:
                 self.steps.at_most = 0.5 * stretch.lasts
                 return mode
             met = self.steps.first_event(guards, stretch)
-            path.grazes += [stretch.begin] * (self.steps.nearest < path.near)
-            path.ties += [stretch.begin] * self.steps.tied
+            if self.steps.nearest < path.near:
+                path.grazes.append(stretch.begin)
+            if self.steps.tied:
+                path.ties.append(stretch.begin)
             if met is not None:
                 return self._met(guards, stretch, slope, *met)
             self._add(stretch)
