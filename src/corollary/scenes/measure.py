@@ -10,7 +10,7 @@ import numpy as np
 
 from corollary.scenes.motion.energy import energy, keeps_energy, kinetic
 from corollary.scenes.motion.follow import follow
-from corollary.scenes.motion.observe import contact_span, look, outcome, state_at
+from corollary.scenes.motion.observe import contact_span, look, outcome, state_at, unequal
 from corollary.scenes.motion.path import Trajectory
 from corollary.scenes.motion.turns import flat, near
 from corollary.scenes.perturbation import CHANGED, perturbed
@@ -267,6 +267,8 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
         return 4.0 * math.ulp(path.long)
     if what is Observable.TURNING_POINTS and path.stretches and flat(scene, path):
         return near(scene, path)
+    if what is Observable.PERIOD:
+        return unequal(scene, path)
     if what in (Observable.VELOCITIES, Observable.SPINS):
         return path.dropped
     if what in (Observable.IMPULSE, Observable.MOMENTUM):

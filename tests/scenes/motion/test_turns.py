@@ -80,6 +80,18 @@ def test_what_is_far_away_does_not_hide_a_period(tolerance):
     assert abs(found.value - 2.0 * math.pi / 3.0) <= found.error < 10.0 * tolerance + 1e-8
 
 
+@pytest.mark.parametrize("tolerance", [1e-8, 1e-10])
+@pytest.mark.parametrize("beside", [(1e4, 0.0), (0.0, 1e3), (1e4, 1e3)])
+def test_returns_that_are_known_no_better_tell_so(tolerance, beside):
+    """An ellipse about its centre, beside what is far away or fast: steps know its returns less well."""
+    far, fast = beside
+    nail, planet = Body(math.inf, (0.0, 0.0), (0.0, 0.0)), Body(1.0, (1.0, 0.0), (0.0, 1.1))
+    others = Body(math.inf, (far, 0.0), (0.0, 0.0)), Body(1.0, (0.0, 5.0), (fast, 0.0))
+    scene = Scene((planet, nail, *others), (Spring((0, 1), 1.0),), until=20.0)
+    found = play(scene, {Observable.PERIOD}, tolerance).measured["period"]
+    assert abs(found.value - math.pi) <= found.error < 2e3 * tolerance
+
+
 def test_of_many_turns_the_nearest_and_the_farthest_are_told():
     """1.5 + 0.5 exp(-t/4) cos w t, let go at rest: it is nearest after half a swing, and farthest at the start."""
     nail, ball = Body(math.inf, (0.0,), (0.0,)), Body(1.0, (2.0,), (0.0,))

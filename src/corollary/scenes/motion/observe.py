@@ -15,7 +15,7 @@ from scipy.optimize import minimize_scalar
 from corollary.scenes.motion.energy import energy, impulses, kinetic, masses_at, momentum
 from corollary.scenes.motion.isolation import POINTS
 from corollary.scenes.motion.path import Stretch, Trajectory
-from corollary.scenes.motion.turns import flat, near, turns
+from corollary.scenes.motion.turns import fastest, flat, turns
 from corollary.scenes.run import BadSetting, Observable, Observed, Outcome
 from corollary.scenes.scene import ContactForce, Scene, overlap, pairs, place, spin, start_of, velocity
 
@@ -23,6 +23,8 @@ Value = Callable[[Sequence[float]], float]
 
 # Returns whose times differ by a larger share are no period.
 UNEQUAL = 1e-6
+# Nor are those by a larger one, however coarsely places are known.
+COARSE = 1e-3
 
 
 def outcome(scene: Scene, path: Trajectory) -> Outcome:
@@ -104,7 +106,7 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
                 return distances[0], distances[0]
             return tuple(sorted({min(distances), max(distances)})) if distances else ()
         case Observable.PERIOD:
-            inner = [turn.time for turn in turns(scene, path) if turn.inward]
+            inner = _returns(scene, path)
             if len(inner) < 2:
                 raise BadSetting(
                     f"{scene.name}: the distance did not return twice before the end, {path.time:.6g} s; watch for a longer time."
@@ -130,13 +132,25 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
 def _period(scene: Scene, path: Trajectory, returns: Sequence[float]) -> float:
     """The time between two of the returns (s). Raises BadSetting where it is another each time."""
     lasted = [after - before for before, after in pairwise(returns)]
-    fast = max(math.hypot(*velocity(scene, y, 0)) for y in path.ends())
-    if max(lasted) - min(lasted) > UNEQUAL * max(lasted) + near(scene, path) / fast:
+    known = min(path.near / fastest(scene, path), COARSE * max(lasted))
+    if max(lasted) - min(lasted) > UNEQUAL * max(lasted) + known:
         raise BadSetting(
             f"{scene.name}: the distance returns after {min(lasted):.6g} s and after {max(lasted):.6g} s: there is no period. "
             "Ask for turning points, or for a trajectory."
         )
     return (returns[-1] - returns[0]) / len(lasted)
+
+
+def unequal(scene: Scene, path: Trajectory) -> float:
+    """By how much (s) the times between returns differ that are taken for a period as places are known no better."""
+    lasted = [after - before for before, after in pairwise(_returns(scene, path))]
+    apart = max(lasted, default=0.0) - min(lasted, default=0.0)
+    return apart if apart > UNEQUAL * max(lasted, default=0.0) else 0.0
+
+
+def _returns(scene: Scene, path: Trajectory) -> list[float]:
+    """When (s) the first body has come back to its least distance."""
+    return [turn.time for turn in turns(scene, path) if turn.inward]
 
 
 def state_at(scene: Scene, path: Trajectory, time: float) -> Sequence[float]:

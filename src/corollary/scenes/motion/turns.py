@@ -69,9 +69,19 @@ def _time_of(scene: Scene, path: Trajectory, turn: Turn, least: float) -> float:
 
 
 def near(scene: Scene, path: Trajectory) -> float:
-    """How near (m) places of the first body are not told apart: that of the path goes by the farthest thing in the scene."""
-    far = max(math.hypot(*place(scene, y, 0)) for y in path.ends())
-    return max(path.near * min(far / path.long, 1.0), 16.0 * math.ulp(path.long))
+    """How near (m) places of the first body are not told apart.
+
+    That of the path goes by the farthest thing in the scene. A swing of this body is known better, but no better than its speed is beside
+    that of the fastest.
+    """
+    far, fast = max(math.hypot(*place(scene, y, 0)) for y in path.ends()), fastest(scene, path)
+    share = far / path.long * path.fast / fast if fast else 1.0
+    return max(path.near * min(share, 1.0), 16.0 * math.ulp(path.long))
+
+
+def fastest(scene: Scene, path: Trajectory) -> float:
+    """The largest speed (m/s) of the first body, as far as the ends of steps tell."""
+    return max(math.hypot(*velocity(scene, y, 0)) for y in path.ends())
 
 
 def _outward(scene: Scene, y: Sequence[float]) -> float:
@@ -81,7 +91,7 @@ def _outward(scene: Scene, y: Sequence[float]) -> float:
 
 def flat(scene: Scene, path: Trajectory) -> bool:
     """Whether the distance of the first body never changes by more than errors of steps: on a circle nothing turns."""
-    least = near(scene, path) * max(math.hypot(*velocity(scene, y, 0)) for y in path.ends())
+    least = near(scene, path) * fastest(scene, path)
     return all(abs(_outward(scene, y)) <= least for each in path.stretches for y in each.sampled())
 
 
