@@ -89,6 +89,20 @@ def rolling(speed):
     return Body(inf, (0.0,), (speed,), 0.1), Body(inf, (1.0,), (0.0,), 0.1)
 
 
+def coming(speed, until, **of_the_wall):
+    """A body that nothing moves, 1 m before a wall at the origin."""
+    bodies = Body(inf, (1.0,), (speed,)), Body(1.0, (3.0,), (0.0,))
+    return Scene(bodies, (HardWall((1.0,), **of_the_wall),), until=until)
+
+
+ROUGH = HardWall((0.0, 1.0), mu=0.3)
+
+
+def axle(height):
+    """A disc on a fixed axle at that height."""
+    return Body(inf, (0.0, height), (0.0, 0.0), 0.1, spin=3.0, inertia=0.1)
+
+
 def askew(speed):
     """Two bodies 5 m apart; one goes along the line between them, the other across it."""
     return (
@@ -222,6 +236,13 @@ WRONG = [
     ("velocity = 2 and moves", lambda: alone(HardWall((1.0,), moves=lambda t: (0.0,) * 3, velocity=2.0))),
     ("body 0 and body 1, which .* run into", lambda: Scene(rolling(1.0), (), until=0.81)),
     ("body 0 and body 1, which .* run into", lambda: Scene(rolling(1.0), (Contact(1e4),), until=2.0)),
+    ("body 0, which .* and a wall run into", lambda: coming(-1.0, 1.1)),
+    ("body 0, which .* and a wall run into", lambda: coming(-1.0, 1.1, only=(0,))),
+    ("body 0, which .* and a wall run into", lambda: coming(0.0, 1.1, velocity=1.0)),
+    ("body 0, which .* and a wall run into", lambda: coming(0.0, 1.1, moves=lambda t: (t * t, 2.0 * t, 2.0))),
+    ("body 0, which .* and a wall run into", lambda: coming(-1.0, 1.1, offset=1.0)),
+    ("how hard body 0, .* is pressed", lambda: alone(ROUGH, body=axle(0.1))),
+    ("how hard body 0, .* is pressed", lambda: alone(ROUGH, body=axle(-0.05))),
     ("cannot be hashed", lambda: alone(Own([(0, (1.0,))]))),
     ("cannot be hashed", lambda: alone(Melting())),
     ("strength = nan", lambda: alone(Own(strength=nan))),
@@ -260,6 +281,14 @@ SOUND = [
     Scene((Body(inf, (0.0, 0.0), (0.0, 0.0), 0.1), Body(inf, (0.2, 0.0), (0.0, 1.0), 0.1)), (), until=1.0),
     Scene((Body(inf, (0.0, 0.0), (1.0, 0.0), 0.1), Body(inf, (1.0, 0.3), (0.0, 0.0), 0.1)), (), until=2.0),
     Scene(askew(0.0), (Rod((0, 1)),), until=1.0),
+    coming(-1.0, 0.99),
+    coming(-1.0, 9.0, only=(1,)),
+    coming(0.0, 9.0, offset=1.0),
+    coming(0.0, 9.0, offset=2.0),
+    coming(1.0, 9.0, offset=1.0),
+    coming(0.0, 3.0, moves=lambda t: (0.9 * math.sin(t), 0.9 * math.cos(t), -0.9 * math.sin(t))),
+    alone(ROUGH, body=axle(0.11)),
+    alone(ROUGH, body=axle(-0.11)),
     alone(body=Body(1.0, (0.0, 0.0), (1.0, 0.0), spin=2.0, inertia=0.1)),
 ]
 
@@ -310,6 +339,10 @@ LATE = [
     (late((1.0, 2.0)), "real number"),
     (late(1.0), "real number"),
     (late((nan,)), "ForceFunction gives nan at 0.5"),
+    (push(lambda t, x, v: (nan if 0.7 < t < 0.701 else 0.0,)), "ForceFunction gives nan at 0.7 s"),
+    (push(lambda t, x, v: (1 / 0 if 0.7 < t < 0.701 else 0.0,)), r"ForceFunction fails at 0\.7 s \(ZeroDiv"),
+    (push(lambda t, x, v: (1 / 0 if 0.7 < t < 0.8 else 0.0,)), r"ForceFunction fails at 0\.7 s \(ZeroDiv"),
+    (push(lambda t, x, v: (math.exp(1e4) if 0.7 < t < 0.701 else 0.0,)), r"fails at 0\.7 s \(Overflow"),
     (push(lambda t, x, v: (-math.sqrt(x[0]) - 1.0,), body=Body(1.0, (0.1,), (0.0,))), "ValueError: math"),
     (alone(Rooted(), body=Body(1.0, (0.1,), (0.0,))), r"Rooted fails at 0\.39.*ValueError: math"),
     (push(lambda t, x, v: (0.0,) if t < 0.5 else (x[1],)), "IndexError"),
@@ -344,6 +377,13 @@ def test_a_function_may_have_no_value_where_the_body_does_not_go():
     t = 0.01
     near = 1.0 + 2.0 * t + t**2 / 2.0 + t**4 / 48.0
     assert found.observed["trajectory"][0] == pytest.approx(near, abs=1e-13)
+
+
+def test_a_function_may_have_no_value_behind_what_stops_the_body():
+    """A step looks beyond the wall before it is known to be there."""
+    nowhere = ForceFunction(0, lambda t, x, v: (nan if -0.2 < x[0] < -0.1 else 0.0,))
+    scene = alone(nowhere, HardWall((1.0,)), body=Body(0.5, (1.0,), (-1.0,)), until=3.0)
+    assert play(scene, V).observed["velocities"] == pytest.approx((1.0,), abs=1e-12)
 
 
 FAR = [

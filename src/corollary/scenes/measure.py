@@ -10,8 +10,9 @@ import numpy as np
 
 from corollary.scenes.motion.energy import energy, keeps_energy, kinetic
 from corollary.scenes.motion.follow import follow
-from corollary.scenes.motion.observe import contact_span, flat, look, outcome, state_at
+from corollary.scenes.motion.observe import contact_span, look, outcome, state_at, unequal
 from corollary.scenes.motion.path import Trajectory
+from corollary.scenes.motion.turns import flat, near
 from corollary.scenes.perturbation import CHANGED, perturbed
 from corollary.scenes.progress import part
 from corollary.scenes.run import (
@@ -104,7 +105,7 @@ def measured(
         2.0 * math.sqrt(len(right.state)) if right.fades else 0.2, BY_TOUCH * math.sqrt(touches)
     )
     lost = _energy_lost(scene, right, sizes[Observable.ENERGY])
-    same = [h.what for h in rough.happenings] == [h.what for h in right.happenings]
+    same = rough.order() == right.order()
     for what in [o for o in Observable if o in observe]:  # a set's order is another in every process
         value = look(scene, right, what, times)
         if not all(map(math.isfinite, components(value))):  # no double holds it
@@ -275,7 +276,9 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
     if what is Observable.LARGEST_OVERLAP:  # spheres that begin one rounding apart may touch
         return 4.0 * math.ulp(path.long)
     if what is Observable.TURNING_POINTS and path.stretches and flat(scene, path):
-        return path.near
+        return near(scene, path)
+    if what is Observable.PERIOD:
+        return unequal(scene, path)
     if what in (Observable.VELOCITIES, Observable.SPINS):
         return path.dropped
     if what in (Observable.IMPULSE, Observable.MOMENTUM):

@@ -27,7 +27,8 @@ def perturbed(scene: Scene) -> Scene:
     bodies: list[Body] = []
     for i, body in enumerate(scene.bodies):
         if math.isinf(body.mass):
-            bodies.append(body)
+            turned = 0.0 if math.isinf(body.resists_spin) else share(3 * i + 2)
+            bodies.append(replace(body, spin=body.spin * (1.0 + turned)))
             continue
         place = body.place
         if i not in touched:

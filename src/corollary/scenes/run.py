@@ -62,7 +62,8 @@ MEANING: dict[Observable, str] = {
     Observable.LARGEST_OVERLAP: "the largest there is at any moment between any two bodies, none if they never touch (m)",
     Observable.PEAK_FORCE: "the largest contact force there is at any moment between any two bodies, drag included, friction of surfaces left out (N)",
     Observable.ENERGY_RATIO: "kinetic energy at the end over that at the start",
-    Observable.TURNING_POINTS: "distances from the origin at which the first body turns back, smallest first (m)",
+    Observable.TURNING_POINTS: "the smallest and the largest of the distances from the origin at which the first body turns back (m): one if "
+    "they are the same, none if it never does; twice its distance if that does not change by more than steps may be off, as on a circle",
     Observable.PERIOD: "time between two returns of the first body's distance to its smallest value (s)",
     Observable.IMPULSE: "of all forces on each body that is no wall, from start to end: its change of momentum (kg m/s)",
     Observable.MOMENTUM: "of all bodies that are no walls together, at the end (kg m/s)",

@@ -160,7 +160,7 @@ class ContactForce(Force, ABC):
         if mine is not None:
             return [(min(pair), max(pair)) for pair in mine]
         others = {(min(pair), max(pair)) for other in scene.contacts for pair in other.between_bodies or ()}
-        return [pair for pair in pairs(scene) if pair not in others]
+        return [pair for pair in pairs(scene, self.rubs_surfaces) if pair not in others]
 
     @property
     def between_bodies(self) -> tuple[tuple[int, int], ...] | None:
@@ -276,12 +276,12 @@ def overlap(scene: Scene, state: State, a: int, b: int) -> tuple[float, float]:
     return scene.bodies[a].radius + scene.bodies[b].radius - distance, growing
 
 
-def pairs(scene: Scene) -> Iterator[tuple[int, int]]:
-    """Every two bodies that can touch."""
+def pairs(scene: Scene, turning: bool = False) -> Iterator[tuple[int, int]]:
+    """Every two bodies that can touch; of those that nothing moves, with `turning`, those of which one can be turned."""
     for a, first in enumerate(scene.bodies):
         for b, second in enumerate(scene.bodies[a + 1 :], start=a + 1):
-            walls = math.isinf(first.mass) and math.isinf(second.mass)
-            if first.radius + second.radius > 0.0 and not walls:
+            turned = turning and min(first.resists_spin, second.resists_spin) < math.inf
+            if first.radius + second.radius > 0.0 and (turned or min(first.mass, second.mass) < math.inf):
                 yield a, b
 
 

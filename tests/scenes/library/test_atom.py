@@ -7,6 +7,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from corollary.scenes.catalogue import run
+from corollary.scenes.forces.well import Well
+from corollary.scenes.plan import play
+from corollary.scenes.run import Observable, components
+from corollary.scenes.scene import Body, Scene
 
 SWING = 2 * math.pi * math.sqrt(2.0 / 100.0)
 
@@ -25,6 +29,36 @@ def test_on_a_line_a_fast_one_comes_back_from_the_core_as_fast():
     assert found.observed["turning_points"] == (0.6,)
     inside = math.asin(0.4 / math.sqrt(0.16 + 2 * (25 - 8) / 2 * 2 / 100))
     assert found.observed["duration"] == pytest.approx(0.6 / 5 + 4 * inside * math.sqrt(0.02), rel=0.5)
+
+
+def test_one_that_starts_at_the_core_on_its_way_in_turns_at_once():
+    """x = 1 + A sin(w t - arcsin(0.4/A)) until the edge, then as fast as it was."""
+    scene = Scene((Body(2.0, (0.6,), (-2.0,)),), (Well(100.0, 1.0, 0.4),), until=0.3)
+    found = play(scene, {Observable.TRAJECTORY}, times=(0.1, 0.3)).measured["trajectory"]
+    w, reach = math.sqrt(50.0), math.sqrt(0.16 + 4.0 / 50.0)
+    begin = math.asin(0.4 / reach)
+    exact = 1.0 + reach * math.sin(0.1 * w - begin), 1.4 + 2.0 * (0.3 - 2.0 * begin / w)
+    for value, error, true in zip(components(found.value), components(found.error), exact, strict=True):
+        assert abs(value - true) <= error < 1e-10
+
+
+@pytest.mark.parametrize("place", [(0.6, 0.0), (0.36, 0.48), (0.0, -0.6)])
+@pytest.mark.parametrize("across", [0.5, 1.0])
+def test_one_that_starts_at_the_core_in_a_plane_goes_as_one_that_is_thrown_back(place, across):
+    """Energy and angular momentum are kept, and what is thrown back by a mirror goes as its image."""
+    (x, y), well = place, (Well(100.0, 1.0, 0.4),)
+    ways = [((s * x - across * y) / 0.6, (s * y + across * x) / 0.6) for s in (-2.0, 2.0)]
+    scenes = [Scene((Body(2.0, place, way),), well, until=0.5) for way in ways]
+    inward, outward = (
+        play(s, {Observable.VELOCITIES, Observable.TRAJECTORY}, times=(0.5,)).measured for s in scenes
+    )
+    for name in ("velocities", "trajectory"):
+        a, b = (components(each[name].value) for each in (inward, outward))
+        for one, other, error in zip(a, b, components(inward[name].error), strict=True):
+            assert abs(one - other) <= 2.0 * error + 1e-15
+    (u, v), (at, up) = components(inward["velocities"].value), components(inward["trajectory"].value)
+    assert u * u + v * v == pytest.approx(4.0 + across**2, rel=1e-14)
+    assert at * v - up * u == pytest.approx(0.6 * across, rel=1e-9)
 
 
 def test_a_circle_is_a_circle():

@@ -8,7 +8,17 @@ from dataclasses import dataclass
 
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Conserves, ContactForce, Scene, overlap, seen_from, spin, unit_row
+from corollary.scenes.scene import (
+    Conserves,
+    ContactForce,
+    Event,
+    Scene,
+    overlap,
+    seen_from,
+    spin,
+    start_of,
+    unit_row,
+)
 from corollary.scenes.sound import refuse_below_zero
 
 
@@ -36,6 +46,12 @@ class Contact(ContactForce):
             raise BadSetting(
                 f"{scene.name}: Contact with mu = {self.mu:g} and static = {self.held_by:g}: the static one must not be the smaller."
             )
+        for a, b in self._held(scene) if scene.until is None else ():
+            if max(overlap(scene, start_of(scene), a, b)) > 0.0:
+                raise BadSetting(
+                    f"{scene.name}: nothing moves bodies {a} and {b}, so that their touch does not end by itself; say until when to watch, "
+                    "until=…."
+                )
 
     def between(self, scene: Scene, state: State, a: int, b: int) -> list[float]:
         """The push along the line of centres, the drag along the relative velocity, or along that line, too, where surfaces rub."""
@@ -54,7 +70,18 @@ class Contact(ContactForce):
     def rubs(self, scene: Scene, held: Sequence[Constraint]) -> Iterator[Rub]:
         if self.rubs_surfaces and scene.axes == 2:
             for a, b in self.serves(scene):
-                yield self._rub(scene, a, b)
+                if any(min(scene.bodies[i].mass, scene.bodies[i].resists_spin) < math.inf for i in (a, b)):
+                    yield self._rub(scene, a, b)
+
+    def events(self, scene: Scene) -> Iterator[Event]:
+        """Two bodies that nothing moves come to touch, or part, in passing."""
+        for a, b in self._held(scene):
+            if scene.bodies[a].velocity != scene.bodies[b].velocity:
+                yield Event(lambda y, a=a, b=b: overlap(scene, y, a, b)[0])
+
+    def _held(self, scene: Scene) -> list[tuple[int, int]]:
+        """The pairs that nothing moves: a touch turns them at most."""
+        return [pair for pair in self.serves(scene) if all(math.isinf(scene.bodies[i].mass) for i in pair)]
 
     def _rub(self, scene: Scene, a: int, b: int) -> Rub:
         """Where the surfaces of two bodies slip on each other; their arms end where they touch, so nothing turns by itself."""

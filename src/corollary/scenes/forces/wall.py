@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
+from corollary.scenes.body import Body
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.refused import OWN_FAILS
 from corollary.scenes.run import BadSetting, GuardFailed
@@ -60,6 +61,45 @@ class HardWall(Force):
         if self.moves is not None:
             _refuse_moves(scene.name, self.moves, scene.until or 0.0)
         self._refuse_closing(scene)
+        self._refuse_held(scene)
+
+    def _refuse_held(self, scene: Scene) -> None:
+        """Raises BadSetting for bodies that nothing moves, where they fly into the wall, or touch a rough one and can be turned.
+
+        Nails at rest in a wall or behind it are what things hang from.
+        """
+        for i in self.only or range(len(scene.bodies)):
+            body = scene.bodies[i]
+            if not math.isinf(body.mass):
+                continue
+            called, remedy = body.name or f"body {i}", "name the other bodies in only=… of the wall"
+            deep = -self.clearance(body.place, body.radius)
+            near = 1e-9 * max(map(abs, (*body.place, self.offset, body.radius)))
+            turned = scene.axes == 2 and self.rubs_surfaces and not math.isinf(body.resists_spin)
+            if turned and -near <= deep <= 2.0 * body.radius + near:
+                raise BadSetting(
+                    f"{scene.name}: how hard {called}, which nothing moves, is pressed on a rough wall is not determined; {remedy}."
+                )
+            if deep <= near and self._meets(scene, body, deep, near):
+                raise BadSetting(
+                    f"{scene.name}: {called}, which nothing moves, and a wall run into each other before until = {scene.until:g} s; "
+                    f"watch for a shorter time, or {remedy}."
+                )
+
+    def _meets(self, scene: Scene, body: Body, deep: float, near: float) -> bool:
+        """Whether a body that keeps its velocity and starts in front of the wall, or upon it and moves, gets behind it before the end."""
+        if scene.until is None or (deep >= -near and not any(body.velocity)):
+            return False
+        looks = 1 if self.moves is None else LOOKS
+        for k in range(1, looks + 1):
+            time = scene.until * k / looks
+            there = [x + v * time for x, v in zip(body.place, body.velocity, strict=True)]
+            try:
+                if self.clearance(there, body.radius, time) < -near:
+                    return True
+            except (GuardFailed, *OWN_FAILS):  # it is named on the way
+                continue
+        return False
 
     def _refuse_closing(self, scene: Scene) -> None:
         """Raises BadSetting where this wall and one that faces it leave a body between them no room before the end."""

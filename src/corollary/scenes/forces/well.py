@@ -10,6 +10,9 @@ from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, Event, Force, Pushes, Scene, State, bounced, place, velocity
 from corollary.scenes.sound import refuse_below_zero
 
+LATE = 1e-15
+"""By such a part of its radius a core is met late."""
+
 
 @dataclass(frozen=True, slots=True)
 class Well(Force):
@@ -56,7 +59,11 @@ class Well(Force):
         return sum(0.5 * self.k * min(math.hypot(*x) - self.b, self.d) ** 2 for x in places)
 
     def events(self, scene: Scene) -> Iterator[Event]:
-        """A body reaches the edge, or the hard core, which is a wall square to the radius."""
+        """A body reaches the edge, or the hard core, which is a wall square to the radius.
+
+        It is met a few roundings late: what starts at the core, on its way in, is in front of it.
+        """
+        core = self.wall * (1.0 - LATE)
 
         def turned(y: State, i: int) -> list[float]:
             x = place(scene, y, i)
@@ -67,7 +74,7 @@ class Well(Force):
             if not math.isinf(body.mass):
                 yield Event(lambda y, i=i: self.edge - math.hypot(*place(scene, y, i)))
                 yield Event(
-                    lambda y, i=i: math.hypot(*place(scene, y, i)) - self.wall, i, lambda y, i=i: turned(y, i)
+                    lambda y, i=i: math.hypot(*place(scene, y, i)) - core, i, lambda y, i=i: turned(y, i)
                 )
 
     @property

@@ -104,7 +104,9 @@ def _leaves(
     nearest = wall if sign(motion.low - wall) < 0 else motion.low
     begin, core, rim = motion.phase(r), motion.phase(nearest), motion.phase(edge)
     inward = sign(along) < 0
-    legs = [motion.swept(core, begin), motion.swept(core, rim)] if inward else [motion.swept(begin, rim)]
+    legs = [motion.swept(core if inward else begin, rim)]
+    if inward and sign(r - nearest) > 0:  # else it turns at once
+        legs.insert(0, motion.swept(core, begin))
     time, turned = before, angle
     for lasted, swept in legs:
         time, turned = time + lasted, turned + swept

@@ -42,14 +42,14 @@ def impulses(scene: Scene, before: State, after: State) -> tuple[float, ...]:
 
 
 def kinetic(scene: Scene, time: float, state: State) -> float:
-    """Kinetic energy (J) of the bodies that are not walls, their spins included."""
+    """Kinetic energy (J) of the bodies that are not walls, and of the spins of all that can be turned."""
     masses = masses_at(scene, time)
     loose = [(i, m) for i, m in enumerate(masses) if not math.isinf(m)]
     straight = sum(0.5 * m * math.hypot(*velocity(scene, state, i)) ** 2 for i, m in loose)
     turning = [
-        0.5 * scene.bodies[i].resists_spin * spin(scene, state, i) ** 2
-        for i, _ in loose
-        if scene.spins and not math.isinf(scene.bodies[i].resists_spin)
+        0.5 * body.resists_spin * spin(scene, state, i) ** 2
+        for i, body in enumerate(scene.bodies)
+        if scene.spins and not math.isinf(body.resists_spin)
     ]
     return straight + sum(turning)
 

@@ -10,19 +10,21 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import assert_never
 
-import numpy as np
 from scipy.optimize import minimize_scalar
 
 from corollary.scenes.motion.energy import energy, impulses, kinetic, masses_at, momentum
-from corollary.scenes.motion.isolation import POINTS, certainly_positive, coefficients, first_fall, root_of
-from corollary.scenes.motion.path import Stretch, Trajectory, Turn
+from corollary.scenes.motion.isolation import POINTS
+from corollary.scenes.motion.path import Stretch, Trajectory
+from corollary.scenes.motion.turns import fastest, flat, turns
 from corollary.scenes.run import BadSetting, Observable, Observed, Outcome
-from corollary.scenes.scene import Scene, overlap, pairs, place, spin, start_of, velocity
+from corollary.scenes.scene import ContactForce, Scene, overlap, pairs, place, spin, start_of, velocity
 
 Value = Callable[[Sequence[float]], float]
 
 # Returns whose times differ by a larger share are no period.
 UNEQUAL = 1e-6
+# Nor are those by a larger one, however coarsely places are known.
+COARSE = 1e-3
 
 
 def outcome(scene: Scene, path: Trajectory) -> Outcome:
@@ -42,7 +44,11 @@ def _at_rest(scene: Scene, path: Trajectory) -> bool:
     loose = [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]
     count = scene.axes * len(scene.bodies)
     fast = max((abs(v) for stretch in path.stretches for v in stretch.before[count:]), default=1.0)
-    return held and all(math.hypot(*velocity(scene, path.state, i)) <= 1e-9 * fast for i in loose)
+    return (
+        held
+        and bool(loose)
+        and all(math.hypot(*velocity(scene, path.state, i)) <= 1e-9 * fast for i in loose)
+    )
 
 
 def _beyond_every_edge(scene: Scene, state: Sequence[float]) -> bool:
@@ -56,7 +62,7 @@ def _beyond_every_edge(scene: Scene, state: Sequence[float]) -> bool:
 def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float]) -> Observed:
     """One observable; `times` (s) are those of a trajectory. Raises BadSetting where the scene has no such thing."""
     every = range(len(scene.bodies))
-    served = [(force, a, b) for force in scene.contacts for a, b in force.serves(scene)]
+    served = _served(scene, path)
     match what:
         case Observable.VELOCITIES:
             return tuple(v for i in every for v in velocity(scene, path.state, i))
@@ -70,10 +76,10 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
                 )
             return kinetic(scene, path.time, path.state) / before
         case Observable.LARGEST_OVERLAP:
-            chosen = {(a, b) for _, a, b in served}
+            chosen = {(a, b) for _, a, b, _ in served}
             found = [
-                _largest(lambda y, a=a, b=b: overlap(scene, y, a, b)[0], _touching(path, j))
-                for j, (_, a, b) in enumerate(served)
+                _largest(lambda y, a=a, b=b: overlap(scene, y, a, b)[0], touching)
+                for _, a, b, touching in served
             ]
             # Bodies that pass through each other on purpose overlap as well.
             passed = [
@@ -86,15 +92,13 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
         case Observable.PEAK_FORCE:
             return max(
                 (
-                    _largest(
-                        lambda y, f=f, a=a, b=b: math.hypot(*f.between(scene, y, a, b)), _touching(path, j)
-                    )
-                    for j, (f, a, b) in enumerate(served)
+                    _largest(lambda y, f=f, a=a, b=b: math.hypot(*f.between(scene, y, a, b)), touching)
+                    for f, a, b, touching in served
                 ),
                 default=0.0,
             )
         case Observable.DURATION:
-            span = contact_span(path)
+            span = contact_span(path, [each for *_, touching in served for each in touching])
             return span.lasts if span else 0.0
         case Observable.TURNING_POINTS:
             distances = [turn.distance for turn in turns(scene, path)]
@@ -102,7 +106,7 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
                 return distances[0], distances[0]
             return tuple(sorted({min(distances), max(distances)})) if distances else ()
         case Observable.PERIOD:
-            inner = [turn.time for turn in turns(scene, path) if turn.inward]
+            inner = _returns(scene, path)
             if len(inner) < 2:
                 raise BadSetting(
                     f"{scene.name}: the distance did not return twice before the end, {path.time:.6g} s; watch for a longer time."
@@ -128,12 +132,25 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
 def _period(scene: Scene, path: Trajectory, returns: Sequence[float]) -> float:
     """The time between two of the returns (s). Raises BadSetting where it is another each time."""
     lasted = [after - before for before, after in pairwise(returns)]
-    if max(lasted) - min(lasted) > UNEQUAL * max(lasted) + path.near / path.fast:
+    known = min(path.near / fastest(scene, path), COARSE * max(lasted))
+    if max(lasted) - min(lasted) > UNEQUAL * max(lasted) + known:
         raise BadSetting(
             f"{scene.name}: the distance returns after {min(lasted):.6g} s and after {max(lasted):.6g} s: there is no period. "
             "Ask for turning points, or for a trajectory."
         )
     return (returns[-1] - returns[0]) / len(lasted)
+
+
+def unequal(scene: Scene, path: Trajectory) -> float:
+    """By how much (s) the times between returns differ that are taken for a period as places are known no better."""
+    lasted = [after - before for before, after in pairwise(_returns(scene, path))]
+    apart = max(lasted, default=0.0) - min(lasted, default=0.0)
+    return apart if apart > UNEQUAL * max(lasted, default=0.0) else 0.0
+
+
+def _returns(scene: Scene, path: Trajectory) -> list[float]:
+    """When (s) the first body has come back to its least distance."""
+    return [turn.time for turn in turns(scene, path) if turn.inward]
 
 
 def state_at(scene: Scene, path: Trajectory, time: float) -> Sequence[float]:
@@ -169,80 +186,6 @@ def _largest(value: Value, stretches: Sequence[Stretch]) -> float:
     return max(value(stretch.before), value(inside), value(stretch.after))
 
 
-def turns(scene: Scene, path: Trajectory) -> list[Turn]:
-    """Where the first body's distance from the origin turns, at walls, too. They are found once for a path."""
-    if path.turned is None:
-        path.turned = _turns(scene, path)
-    return path.turned
-
-
-def _turns(scene: Scene, path: Trajectory) -> list[Turn]:
-    if path.stretches and flat(scene, path):
-        first = path.stretches[0]
-        return [Turn(first.begin, math.hypot(*place(scene, first.before, 0)), False)]
-    found: list[Turn] = []
-    last = 0.0
-    for stretch in path.stretches:
-        begin = _outward(scene, stretch.before)
-        if last * begin < 0.0 or (begin == 0.0 and not found and stretch is path.stretches[0]):
-            first = _outward(scene, stretch.at(0.5)) > 0.0 if begin == 0.0 else begin > 0.0
-            found.append(Turn(stretch.begin, math.hypot(*place(scene, stretch.before, 0)), first))
-        found += _inside(scene, stretch)
-        last = _outward(scene, stretch.after)
-    return _without_those_of_rounding(found, path.near)
-
-
-def _without_those_of_rounding(turns: Sequence[Turn], near: float) -> list[Turn]:
-    """Where a body is thrown back at the origin itself, rounding may send it past: what turns within `near` (m) and comes back is one turn."""
-    found: list[Turn] = []
-    for turn in turns:
-        past = not turn.inward and turn.distance <= near
-        if not found or not (past or turn.inward is found[-1].inward):
-            found.append(turn)
-    return found
-
-
-def _outward(scene: Scene, y: Sequence[float]) -> float:
-    """Place times velocity of the first body (m^2/s): it goes through zero where the distance turns."""
-    return sum(a * b for a, b in zip(place(scene, y, 0), velocity(scene, y, 0), strict=True))
-
-
-def flat(scene: Scene, path: Trajectory) -> bool:
-    """Whether the distance of the first body never changes by more than errors of steps: on a circle nothing turns."""
-    ends = (path.state, *(each.before for each in path.stretches))
-    least = path.near * max(math.hypot(*velocity(scene, y, 0)) for y in ends)
-    return all(abs(_outward(scene, y)) <= least for each in path.stretches for y in each.sampled())
-
-
-def _inside(scene: Scene, stretch: Stretch) -> list[Turn]:
-    def along(y: Sequence[float]) -> float:
-        return _outward(scene, y)
-
-    found: list[Turn] = []
-    left = 0.0
-    values = np.array([along(y) for y in stretch.sampled()])
-    sign = 1.0 if (values[0] or values[1]) > 0.0 else -1.0  # it may turn before the second sample
-    if certainly_positive(coefficients(sign * values)):
-        return found
-    while True:
-        span = 1.0 - left
-        scaled = lambda x, left=left, span=span, sign=sign: sign * along(stretch.at(left + x * span))  # noqa: E731
-        several = lambda x, left=left, span=span, sign=sign: (  # noqa: E731
-            sign * np.array([along(y) for y in stretch.states(left + x * span)])
-        )
-        fall = first_fall(several, several(POINTS) if left else sign * values)
-        if fall is None or fall[1] <= 0.0:
-            return found
-        low, high = fall
-        part = root_of(scaled, low, high) if scaled(low) > 0.0 >= scaled(high) else high
-        at = left + part * span
-        y = stretch.again(at)
-        found.append(Turn(stretch.begin + at * stretch.lasts, math.hypot(*place(scene, y, 0)), sign < 0.0))
-        left, sign = min(at + 1e-9, 1.0), -sign
-        if left >= 1.0:
-            return found
-
-
 @dataclass(frozen=True, slots=True)
 class Span:
     """From the first touch to the last opening (s), and by how much (s) its ends may be off."""
@@ -251,9 +194,10 @@ class Span:
     slack: float
 
 
-def contact_span(path: Trajectory) -> Span | None:
-    """How long there was a contact; none when there was none."""
-    touched = [i for i, stretch in enumerate(path.stretches) if any(stretch.mode.touching)]
+def contact_span(path: Trajectory, more: Sequence[Stretch] = ()) -> Span | None:
+    """How long there was a contact; none when there was none. In some stretches `more` than contacts may touch."""
+    others = set(map(id, more))
+    touched = [i for i, each in enumerate(path.stretches) if any(each.mode.touching) or id(each) in others]
     if not touched:
         return None
     first, last = touched[0], touched[-1]
@@ -262,6 +206,16 @@ def contact_span(path: Trajectory) -> Span | None:
     return Span(math.fsum(each.lasts for each in path.stretches[first : last + 1]), math.fsum(ends))
 
 
-def _touching(path: Trajectory, contact: int) -> list[Stretch]:
-    """The stretches in which a pair touches."""
-    return [stretch for stretch in path.stretches if stretch.mode.touching[contact]]
+def _served(scene: Scene, path: Trajectory) -> list[tuple[ContactForce, int, int, list[Stretch]]]:
+    """Every two bodies between which a contact acts, and the stretches in which they touch."""
+    found: list[tuple[ContactForce, int, int, list[Stretch]]] = []
+    contact = 0
+    for force in scene.contacts:
+        for a, b in force.serves(scene):
+            if math.isinf(min(scene.bodies[i].mass for i in (a, b))):  # no mode tells: nothing is pushed
+                touching = [each for each in path.stretches if overlap(scene, each.at(0.5), a, b)[0] > 0.0]
+            else:
+                touching = [each for each in path.stretches if each.mode.touching[contact]]
+                contact += 1
+            found.append((force, a, b, touching))
+    return found

@@ -13,7 +13,7 @@ from corollary.scenes.constraint import State
 from corollary.scenes.motion.isolation import POINTS, Array, coefficients
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.refused import failing
-from corollary.scenes.run import GuardFailed, NoForce
+from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.scene import Force, Scene
 
 LOOKS = 4000
@@ -45,17 +45,27 @@ def pushed(scene: Scene, start: State) -> float:
 
 def _strengths(scene: Scene, forces: list[Force], time: float, start: State) -> list[float] | None:
     """What they would do then (m/s^2), none where that is not defined: bodies will have gone elsewhere."""
+    felt = _accelerations(scene, forces, time, start, start)
+    return [abs(a) for a in felt] if all(map(math.isfinite, felt)) else None
+
+
+def _accelerations(scene: Scene, forces: list[Force], time: float, state: State, since: State) -> list[float]:
+    """What the forces do (m/s^2, by components); not a number where one of them has no value."""
     try:
-        felt = [abs(a) for force in forces for a in force.accelerations(scene, time, start, start)]
-    except NoForce:
-        return None
-    return felt if all(map(math.isfinite, felt)) else None
+        return [a for force in forces for a in force.accelerations(scene, time, state, since)]
+    except (OverflowError, ZeroDivisionError, NoForce):
+        return [math.nan]
+    except ValueError as error:
+        if isinstance(error, BadSetting):
+            raise
+        return [math.nan]
 
 
 def overlooked(scene: Scene, stretch: Stretch, fast: float, tolerance: float, may_be_bent: bool) -> bool:
     """Whether such a force does on a step what the step does not know of; speeds are about `fast` (m/s), `tolerance` is a step's.
 
-    What it is at many moments is compared with the series through those at which events are looked for.
+    What it is at many moments is compared with the series through those at which events are looked for. Where it has no value a shorter
+    step is to end before, or to find that there is no way on.
     """
     forces = _own(scene)
     looks = math.ceil(LOOKS * stretch.lasts / (scene.until or math.inf)) if forces else 0
@@ -65,21 +75,27 @@ def overlooked(scene: Scene, stretch: Stretch, fast: float, tolerance: float, ma
         return True
     parts = (np.arange(looks) + 0.5) / looks
     known, there = _felt(scene, forces, stretch, POINTS), _felt(scene, forces, stretch, parts)
+    if known is None or there is None:
+        return True
     between = np.polynomial.chebyshev.chebval(2.0 * parts - 1.0, coefficients(known.T).T).T
     unseen = float(np.abs(there - between).mean(axis=0).max(initial=0.0))
     rounding = 1e-14 * float(np.abs(there).max(initial=0.0))
     return unseen > UNSEEN * tolerance * fast / stretch.lasts + rounding
 
 
-def _felt(scene: Scene, forces: list[Force], stretch: Stretch, parts: Array) -> Array:
-    """What the forces do (m/s^2, by components) after several parts of a step; a row each."""
-    times, since = stretch.begin + parts * stretch.lasts, stretch.since
-    return np.array(
-        [
-            [a for force in forces for a in force.accelerations(scene, time, state, since)]
-            for time, state in zip(times.tolist(), stretch.states(parts), strict=True)
-        ]
-    )
+def _felt(scene: Scene, forces: list[Force], stretch: Stretch, parts: Array) -> Array | None:
+    """What the forces do (m/s^2, by components) after several parts of a step, a row each; none where that is not finite.
+
+    Nor are the states themselves where the stages between those of a step have met no value.
+    """
+    times, since, states = stretch.begin + parts * stretch.lasts, stretch.since, stretch.states(parts)
+    if not np.isfinite(states).all():
+        return None
+    rows = [
+        _accelerations(scene, forces, time, state, since)
+        for time, state in zip(times.tolist(), states, strict=True)
+    ]
+    return np.array(rows) if all(math.isfinite(a) for row in rows for a in row) else None
 
 
 def refuse_failing(scene: Scene, time: float, state: State) -> None:

@@ -148,6 +148,28 @@ class Trajectory:
     bends: dict[int, bool] = field(default_factory=dict[int, bool])
     """Of the stretches in which a moment was looked up: whether the polynomial is too far off for it."""
 
+    def ends(self) -> list[list[float]]:
+        """The states at all ends of steps."""
+        return [*(stretch.before for stretch in self.stretches), self.state]
+
+    def order(self) -> list[object]:
+        """What happens, in turn: hits, and what touches, holds or sticks as soon as that is another.
+
+        The direction of a slip in a plane is looked at now and again, and a force may go by the side of a place or the sign of a speed:
+        nothing happens there.
+        """
+        modes = [*(stretch.mode for stretch in self.stretches), self.mode]
+        found: list[object] = []
+        holds = _holding(modes[0]) if modes[0] else None
+        for happening in self.happenings:
+            if happening.what.startswith("hit"):
+                found.append(happening.what)
+            mode = modes[happening.stretch]
+            if mode and (now := _holding(mode)) != holds:
+                found.append(now)
+                holds = now
+        return found
+
     def at(self, time: float) -> list[float]:
         """The state at a time between the start and the end."""
         if not self.stretches:
@@ -158,3 +180,9 @@ class Trajectory:
         if 0.0 < part < 1.0 and low not in self.bends:
             self.bends[low] = stretch.bent(self.count) * stretch.lasts > 0.2 * self.allowed
         return stretch.again(part) if self.bends.get(low) else stretch.at(part)
+
+
+def _holding(mode: Mode) -> object:
+    """What holds, sticks, slips or touches; of a slip in a plane not which way."""
+    slips = tuple(s if isinstance(s, str) or len(s) == 1 else "slips" for s in mode.rubbed)
+    return mode.held, slips, mode.touching

@@ -39,6 +39,7 @@ class System:
     """A scene taken apart once: its constraints, rubs, contacts and events in lists, so that a mode can name them by number.
 
     There are `count` places, and as many velocities; `always` are the forces that need no touch, `heavy` the masses (kg) at the start.
+    Two bodies that nothing moves have no contact, though they may rub.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -49,7 +50,8 @@ class System:
         self.pressed: list[int] = []
         self.rub_contacts: list[int] = []
         self.always = [force for force in scene.forces if not isinstance(force, ContactForce)]
-        self.contacts = [(force, a, b) for force in scene.contacts for a, b in force.serves(scene)]
+        touches = [(force, a, b) for force in scene.contacts for a, b in force.serves(scene)]
+        self.contacts = [each for each in touches if min(self.heavy[i] for i in each[1:]) < math.inf]
         for force in scene.forces:
             held = list(force.constraints(scene))
             first = len(self.constraints)

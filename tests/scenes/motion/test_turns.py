@@ -1,4 +1,4 @@
-"""What is read off a path: where the distance from the origin turns."""
+"""Where the distance from the origin turns, and after how long it does again."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import math
 import pytest
 
 from corollary.scenes.body import Body
+from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.spring import Spring
 from corollary.scenes.forces.wall import HardWall
@@ -57,3 +58,47 @@ def test_a_slow_swing_beside_a_fast_body_has_its_turns():
     )
     assert found.observed["turning_points"] == pytest.approx((0.999, 1.001), abs=1e-9)
     assert found.observed["period"] == pytest.approx(2.0 * math.pi, abs=1e-6)
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-8, 1e-10, 1e-12])
+@pytest.mark.parametrize("until", [2.7, 6.0])
+def test_a_swing_that_just_touches_the_origin_returns_once_a_period(tolerance, until):
+    """x = 1 + cos 2 pi t: as it comes to nothing a rounding of its place is 1e-8 of its period."""
+    nail, ball = Body(math.inf, (1.0,), (0.0,)), Body(1.0, (2.0,), (0.0,))
+    scene = Scene((ball, nail), (Spring((0, 1), 4.0 * math.pi**2),), until=until)
+    found = play(scene, {Observable.PERIOD}, tolerance).measured["period"]
+    assert abs(found.value - 1.0) <= found.error < max(10.0 * tolerance, 1e-7)
+    assert abs(found.value - 1.0) < 0.1 * tolerance + 1e-13
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-10])
+def test_what_is_far_away_does_not_hide_a_period(tolerance):
+    nail, ball = Body(math.inf, (0.0,), (0.0,)), Body(1.0, (2.0,), (0.0,))
+    far = Body(math.inf, (1e6,), (0.0,))
+    scene = Scene((ball, nail, far), (Spring((0, 1), 9.0, 1.5),), until=6.0)
+    found = play(scene, {Observable.PERIOD}, tolerance).measured["period"]
+    assert abs(found.value - 2.0 * math.pi / 3.0) <= found.error < 10.0 * tolerance + 1e-8
+
+
+@pytest.mark.parametrize("tolerance", [1e-8, 1e-10])
+@pytest.mark.parametrize("beside", [(1e4, 0.0), (0.0, 1e3), (1e4, 1e3)])
+def test_returns_that_are_known_no_better_tell_so(tolerance, beside):
+    """An ellipse about its centre, beside what is far away or fast: steps know its returns less well."""
+    far, fast = beside
+    nail, planet = Body(math.inf, (0.0, 0.0), (0.0, 0.0)), Body(1.0, (1.0, 0.0), (0.0, 1.1))
+    others = Body(math.inf, (far, 0.0), (0.0, 0.0)), Body(1.0, (0.0, 5.0), (fast, 0.0))
+    scene = Scene((planet, nail, *others), (Spring((0, 1), 1.0),), until=20.0)
+    found = play(scene, {Observable.PERIOD}, tolerance).measured["period"]
+    assert abs(found.value - math.pi) <= found.error < 2e3 * tolerance
+
+
+def test_of_many_turns_the_nearest_and_the_farthest_are_told():
+    """1.5 + 0.5 exp(-t/4) cos w t, let go at rest: it is nearest after half a swing, and farthest at the start."""
+    nail, ball = Body(math.inf, (0.0,), (0.0,)), Body(1.0, (2.0,), (0.0,))
+    scene = Scene((ball, nail), (Spring((0, 1), 9.0, 1.5), Drag(0, 0.5)), until=10.0)
+    found = play(scene, {Observable.TURNING_POINTS}).measured["turning_points"]
+    nearest = 1.5 - 0.5 * math.exp(-0.25 * math.pi / math.sqrt(9.0 - 0.25**2))
+    for value, error, exact in zip(
+        components(found.value), components(found.error), (nearest, 2.0), strict=True
+    ):
+        assert abs(value - exact) <= error < 1e-8

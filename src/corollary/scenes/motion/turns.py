@@ -1,0 +1,124 @@
+"""Where the distance of the first body from the origin turns."""
+
+# pyright: reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from corollary.scenes.motion.isolation import POINTS, certainly_positive, coefficients, first_fall, root_of
+from corollary.scenes.motion.path import Stretch, Trajectory, Turn
+from corollary.scenes.scene import Scene, place, velocity
+
+
+def turns(scene: Scene, path: Trajectory) -> list[Turn]:
+    """Where the first body's distance from the origin turns, at walls, too. They are found once for a path."""
+    if path.turned is None:
+        path.turned = _turns(scene, path)
+    return path.turned
+
+
+def _turns(scene: Scene, path: Trajectory) -> list[Turn]:
+    if path.stretches and flat(scene, path):
+        first = path.stretches[0]
+        return [Turn(first.begin, math.hypot(*place(scene, first.before, 0)), False)]
+    found: list[Turn] = []
+    last = 0.0
+    for stretch in path.stretches:
+        begin = _outward(scene, stretch.before)
+        if last * begin < 0.0 or (begin == 0.0 and not found and stretch is path.stretches[0]):
+            first = _outward(scene, stretch.at(0.5)) > 0.0 if begin == 0.0 else begin > 0.0
+            found.append(Turn(stretch.begin, math.hypot(*place(scene, stretch.before, 0)), first))
+        found += _inside(scene, stretch)
+        last = _outward(scene, stretch.after)
+    least = near(scene, path)
+    return [
+        replace(turn, time=_time_of(scene, path, turn, least)) if turn.inward else turn
+        for turn in _without_those_of_rounding(found, least)
+    ]
+
+
+def _without_those_of_rounding(turns: Sequence[Turn], near: float) -> list[Turn]:
+    """Where a body is thrown back at the origin itself, rounding may send it past: what turns within `near` (m) and comes back is one turn."""
+    found: list[Turn] = []
+    for turn in turns:
+        past = not turn.inward and turn.distance <= near
+        if not found or not (past or turn.inward is found[-1].inward):
+            found.append(turn)
+    return found
+
+
+def _time_of(scene: Scene, path: Trajectory, turn: Turn, least: float) -> float:
+    """When (s) a distance turns: as it comes to nothing, where errors decide about the moment, the middle of the time it is below `least` (m)."""
+
+    def above(time: float) -> float:
+        return math.hypot(*place(scene, path.at(time), 0)) - least
+
+    ends: list[float] = []
+    for way in (-1.0, 1.0) if above(turn.time) < 0.0 else ():
+        ahead = way * least / path.fast
+        while 0.0 < turn.time + ahead < path.time and above(turn.time + ahead) <= 0.0:
+            ahead *= 2.0
+        if 0.0 < turn.time + ahead < path.time:
+            ends.append(root_of(above, turn.time, turn.time + ahead))
+    return math.fsum(ends) / 2.0 if len(ends) == 2 else turn.time
+
+
+def near(scene: Scene, path: Trajectory) -> float:
+    """How near (m) places of the first body are not told apart.
+
+    That of the path goes by the farthest thing in the scene. A swing of this body is known better, but no better than its speed is beside
+    that of the fastest.
+    """
+    far, fast = max(math.hypot(*place(scene, y, 0)) for y in path.ends()), fastest(scene, path)
+    share = far / path.long * path.fast / fast if fast else 1.0
+    return max(path.near * min(share, 1.0), 16.0 * math.ulp(path.long))
+
+
+def fastest(scene: Scene, path: Trajectory) -> float:
+    """The largest speed (m/s) of the first body, as far as the ends of steps tell."""
+    return max(math.hypot(*velocity(scene, y, 0)) for y in path.ends())
+
+
+def _outward(scene: Scene, y: Sequence[float]) -> float:
+    """Place times velocity of the first body (m^2/s): it goes through zero where the distance turns."""
+    return sum(a * b for a, b in zip(place(scene, y, 0), velocity(scene, y, 0), strict=True))
+
+
+def flat(scene: Scene, path: Trajectory) -> bool:
+    """Whether the distance of the first body never changes by more than errors of steps: on a circle nothing turns."""
+    least = near(scene, path) * fastest(scene, path)
+    return all(abs(_outward(scene, y)) <= least for each in path.stretches for y in each.sampled())
+
+
+def _inside(scene: Scene, stretch: Stretch) -> list[Turn]:
+    def along(y: Sequence[float]) -> float:
+        return _outward(scene, y)
+
+    found: list[Turn] = []
+    left = 0.0
+    values = np.array([along(y) for y in stretch.sampled()])
+    sign = 1.0 if (values[0] or values[1]) > 0.0 else -1.0  # it may turn before the second sample
+    if certainly_positive(coefficients(sign * values)):
+        return found
+    while True:
+        span = 1.0 - left
+        scaled = lambda x, left=left, span=span, sign=sign: sign * along(stretch.at(left + x * span))  # noqa: E731
+        several = lambda x, left=left, span=span, sign=sign: (  # noqa: E731
+            sign * np.array([along(y) for y in stretch.states(left + x * span)])
+        )
+        fall = first_fall(several, several(POINTS) if left else sign * values)
+        if fall is None or fall[1] <= 0.0:
+            return found
+        low, high = fall
+        part = root_of(scaled, low, high) if scaled(low) > 0.0 >= scaled(high) else high
+        at = left + part * span
+        y = stretch.again(at)
+        found.append(Turn(stretch.begin + at * stretch.lasts, math.hypot(*place(scene, y, 0)), sign < 0.0))
+        left, sign = min(at + 1e-9, 1.0), -sign
+        if left >= 1.0:
+            return found
