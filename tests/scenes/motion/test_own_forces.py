@@ -53,6 +53,12 @@ def test_a_kick_in_the_middle_of_free_flight_gives_its_impulse(lasts):
     assert_true(found, "trajectory", IMPULSE * (10.0 - WHEN))
 
 
+def test_steps_that_a_strong_short_kick_makes_short_are_no_sign_of_an_end_out_of_reach():
+    strong = ForceFunction(0, lambda t, x, v: (3e4 * math.exp(-(((t - 0.5) / 1e-4) ** 2)),))
+    found = played(strong, until=1.0, bodies=[Body(0.5, (0.0,), (0.0,))])
+    assert_true(found, "velocities", 3e4 * 1e-4 * math.sqrt(math.pi) / 0.5)
+
+
 def test_a_kick_told_as_a_table_of_measured_forces():
     at, newtons = [5.0, 5.002, 5.004, 5.007, 5.01], [0.0, 800.0, 1200.0, 300.0, 0.0]
 

@@ -28,8 +28,9 @@ from corollary.scenes.run import FINER, GuardFailed
 
 # About a minute's, for all three runs together; and so many of those that follow a happening within as many steps, which cost more.
 MOST_STEPS, MOST_HURRIED, SOON = 60_000, 20_000, 10
-# After so many steps without an event it is asked whether they lead anywhere.
-STEADY = 250
+# After so many steps without an event it is asked whether they lead anywhere; where those before them were long enough, only after more:
+# a short kick is over by then.
+STEADY, PATIENT = 250, 2000
 # From this product of step and rate on, what fades decides how long an explicit step may be: beyond 6.1 it would grow (E. Hairer,
 # S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, and the program DOP853), which the method's own estimate of its
 # error takes too lightly. What fades is remembered from a smaller product on: soon it is too small to be seen in the slopes, and would
@@ -166,6 +167,9 @@ class Stepper:
         # Where a comet passes its star steps are short for a while.
         last = max(last, sum(self.lately) / len(self.lately))
         if left < self.left * last:
+            return False
+        done = (self.scene.until or 0.0) - left
+        if self.steady < PATIENT and left * self.steps < self.left * done:
             return False
         raise GuardFailed(
             f"{self.scene.name}: with steps of {last:.2g} s the end, {left:.3g} s ahead, is out of reach. "
