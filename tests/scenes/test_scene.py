@@ -129,13 +129,18 @@ def test_a_quartic_spring_keeps_its_period_and_its_energy():
     found = play(scene, V | {Observable.TRAJECTORY}, times=(quarter,)).observed
     assert found["velocities"] == pytest.approx((-math.sqrt(k / (2.0 * m)) * far**2,), rel=1e-8)
     assert found["trajectory"] == pytest.approx((0.0,), abs=1e-8)
-    assert plan(scene, ENERGY).model == "conservation"
-    assert play(scene, ENERGY).observed["energy"] == pytest.approx(k * far**4 / 4.0)
+    assert (
+        plan(scene, ENERGY).model == "integration"
+    )  # that it is kept is the author's word until it is followed
+    energy = play(scene, ENERGY)
+    assert abs(energy.observed["energy"] - k * far**4 / 4.0) <= energy.errors["energy"] < 1e-10
 
 
 def test_a_potential_that_is_not_the_force_s_is_found_out():
     with pytest.raises(GuardFailed, match="the energy changed by"):
         play(on_a_line(0.7, 0.0, QuarticSpring(5.0, forgotten=1.001), until=0.3), V)
+    with pytest.raises(GuardFailed, match="the energy changed by"):
+        play(on_a_line(0.7, 0.0, QuarticSpring(5.0, forgotten=1.001), until=0.3), ENERGY)
 
 
 def test_a_force_that_begins_and_ends_at_a_place_is_stopped_at_there():

@@ -20,7 +20,7 @@ from corollary.scenes.models.certain import Balls, Evaluated, found, sign
 from corollary.scenes.models.pair import Pair, refuse_too_soft
 from corollary.scenes.models.two_bodies import collision
 from corollary.scenes.row import RowOfBodies
-from corollary.scenes.run import Observable, Observed, Run, components
+from corollary.scenes.run import GuardFailed, Observable, Observed, Run, components
 from corollary.scenes.scene import Scene
 
 OF_BODIES_ALONE = {Observable.IMPULSE, Observable.MOMENTUM, Observable.ENERGY}
@@ -104,7 +104,13 @@ def _collided(line: RowOfBodies, found: Collided, observe: Collection[Observable
     # Rounding and steps are a share of what came in, not of what is left of it.
     fast = max(map(abs, line.velocities))
     thrown = max(m for m, _, _ in loose) * fast
-    scales = {"velocities": fast, "impulse": thrown, "momentum": thrown, "energy_ratio": 1.0}
+    scales = {
+        "velocities": fast,
+        "impulse": thrown,
+        "momentum": thrown,
+        "energy": before,
+        "energy_ratio": 1.0,
+    }
     return found.observed({o.value: known[o] for o in observe}, scales)
 
 
@@ -188,11 +194,25 @@ def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: flo
         return None
     if run.outcome == "escaped":
         # It turns once at most; when, no closed form says.
-        return None if scene.until is not None or Observable.PERIOD in observe else run
-    period = run.observed["period"]
-    if scene.until is not None and isinstance(period, float) and scene.until < SEEN * period:
-        return None
+        if scene.until is not None or Observable.PERIOD in observe:
+            return None
+    else:
+        period = run.observed["period"]
+        if scene.until is not None and isinstance(period, float) and scene.until < SEEN * period:
+            return None
+    _refuse_overlap(scene, min([math.hypot(x, y), *components(run.observed["turning_points"])]))
     return run.only(o.value for o in observe)
+
+
+def _refuse_overlap(scene: Scene, nearest: float) -> None:
+    """Raises GuardFailed where two bodies that no contact acts between come so near (m) that they overlap, as who follows them does."""
+    body, centre = scene.bodies
+    solid = body.radius > 0.0 and centre.radius > 0.0 and not scene.passes
+    if solid and nearest < body.radius + centre.radius:
+        raise GuardFailed(
+            f"{scene.name}: bodies 0 and 1 come as near as {nearest:.6g} m, where they overlap, and no contact acts between them. "
+            "Give them one, or radius zero, or name them in passes=…"
+        )
 
 
 def _orbit(

@@ -8,10 +8,12 @@ from functools import lru_cache
 
 import numpy as np
 
-from corollary.scenes.motion.energy import energy, keeps_energy, kinetic
+from corollary.scenes.motion.energy import keeps_energy, kinetic
+from corollary.scenes.motion.energy_errors import conserved, energy_lost, energy_off, hottest
 from corollary.scenes.motion.follow import follow
 from corollary.scenes.motion.observe import contact_span, look, outcome, state_at, unequal
 from corollary.scenes.motion.path import Trajectory
+from corollary.scenes.motion.ties import undecided
 from corollary.scenes.motion.turns import flat, near
 from corollary.scenes.perturbation import CHANGED, perturbed
 from corollary.scenes.progress import part
@@ -104,7 +106,10 @@ def measured(
     step_off = fine * max(
         2.0 * math.sqrt(len(right.state)) if right.fades else 0.2, BY_TOUCH * math.sqrt(touches)
     )
-    lost = _energy_lost(scene, right, sizes[Observable.ENERGY])
+    # What the places and velocities are off that an energy is made of, as a part of theirs: by steps, and by rounding.
+    rounded = 2.3e-16 * (4.0 + math.sqrt(len(right.stretches))) + 1e-14 * len(right.happenings)
+    hot = hottest(scene, right)
+    lost = energy_lost(scene, right, hot)
     same = rough.order() == right.order()
     for what in [o for o in Observable if o in observe]:  # a set's order is another in every process
         value = look(scene, right, what, times)
@@ -112,9 +117,14 @@ def measured(
             unknown: Observed = (math.inf,) * len(value) if isinstance(value, tuple) else math.inf
             found[what.value] = Measurement(value, unknown, "estimate", "integration", why, math.inf)
             continue
+        if what is Observable.ENERGY and keeps_energy(scene):
+            found[what.value] = conserved(scene, right, why)
+            continue
         size = max(
             [abs(x) for x in components(value) if math.isfinite(x)] + [sizes.get(what, 0.0)], default=0.0
         )
+        # What runs are apart is a part of what moved, and not of what forces could do.
+        span = max(hot, *map(abs, components(value))) if what is Observable.ENERGY else size
         apart = _apart(look(scene, rough, what, times), value)
         share = _shares(scene, rough, right, what, times, sizes)
         condition = None
@@ -141,13 +151,14 @@ def measured(
         )
         # Places keep what velocities forget: that of several steps.
         several = 3.0 if right.fades and what is Observable.TRAJECTORY else 1.0
-        least = several * step_off * size + rounding + _extra(scene, right, what)
+        least = several * step_off * span + rounding + _extra(scene, right, what)
+        least += energy_off(scene, right, what, step_off, rounded, sizes)
         least += lost * size if what in BY_BODY else 0.0
         errors = tuple(
             SAFETY * each
             + least
             + 1.01 * decided[i]  # the others are off by errors of their own, and of what was changed
-            + (share[i] if len(share) == len(apart) and what in BY_BODY else 0.3 * max(share) * size)
+            + (share[i] if len(share) == len(apart) and what in BY_BODY else 0.3 * max(share) * span)
             for i, each in enumerate(apart)
         )
         if what in (Observable.VELOCITIES, Observable.TRAJECTORY):
@@ -161,19 +172,7 @@ def measured(
         warnings.append(
             "two runs of different accuracy differ in the order of what happens: contacts all but coincide"
         )
-    if grazes := rough.grazes + right.grazes:
-        when = min(grazes)
-        warnings.append(
-            f"a touch grazes soon after {when:.6g} s: whether it happens is within the error, and in the errors stated"
-        )
-    if crowds := rough.crowds + right.crowds:
-        warnings.append(
-            f"at {min(crowds):.6g} s a body is hit from several sides all but at once: which hit is first is in the errors stated"
-        )
-    if ties := rough.ties + right.ties:
-        warnings.append(
-            f"friction soon after {min(ties):.6g} s can hold as much as it must, but for errors: whether it does is in the errors stated"
-        )
+    warnings += undecided(rough, right)
     worst = max((m.condition or 0.0 for m in found.values()), default=0.0)
     if worst > CHAOTIC:
         warnings.append(
@@ -184,16 +183,6 @@ def measured(
     return Run(found, spent, outcome(scene, right), tuple(warnings))
 
 
-def _energy_lost(scene: Scene, path: Trajectory, hot: float) -> float:
-    """What a run has lost or gained of an energy (J) that is kept, as a share of velocities: so much of them is wrong, at least.
-
-    Two runs may be off alike where a force is steep for a moment; what is kept does not depend on another run.
-    """
-    if not hot or not keeps_energy(scene):
-        return 0.0
-    return abs(energy(scene, path.time, path.state) - energy(scene, 0.0, start_of(scene))) / (2.0 * hot)
-
-
 def _natural(scene: Scene, path: Trajectory) -> dict[Observable, float]:
     """Sizes of what can come out as zero: the largest there was on the way."""
     states = [stretch.after for stretch in path.stretches] + [start_of(scene)]
@@ -201,7 +190,8 @@ def _natural(scene: Scene, path: Trajectory) -> dict[Observable, float]:
     fast = max(path.fast, *(abs(v) for y in states for v in y[count : 2 * count]))
     long = max(path.long, *(abs(x) for y in states for x in y[:count]))
     heavy = max((b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0)
-    hot = max(kinetic(scene, 0.0, y) for y in states)
+    hot = hottest(scene, path)
+    light = min((b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0)
     return {
         Observable.VELOCITIES: fast,
         Observable.TRAJECTORY: long,
@@ -215,7 +205,8 @@ def _natural(scene: Scene, path: Trajectory) -> dict[Observable, float]:
         else 0.0,
         Observable.IMPULSE: heavy * fast,
         Observable.MOMENTUM: heavy * fast,
-        Observable.ENERGY: hot,
+        # Near rest, what its forces could make of a body: they hold it, and rounding of its place remains.
+        Observable.ENERGY: max(hot, 0.5 * light * path.fast**2),
         Observable.ENERGY_RATIO: hot / (kinetic(scene, 0.0, start_of(scene)) or 1.0),
     }
 

@@ -13,8 +13,16 @@ from dataclasses import dataclass, replace
 from numbers import Real
 
 from corollary.scenes.closed_forms import in_a_plane, in_a_well, on_a_line, round_a_centre
-from corollary.scenes.collision import ROUNDING
-from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, momentum, never_meets
+from corollary.scenes.motion.energy import (
+    ROUNDING,
+    energy,
+    energy_terms,
+    keeps_energy,
+    kinetic,
+    momentum_at_start,
+    never_meets,
+    rounding_of_energy,
+)
 from corollary.scenes.refused import OWN_FAILS
 from corollary.scenes.run import (
     DEARER,
@@ -122,8 +130,8 @@ def _known_at_the_start(scene: Scene, what: Observable) -> Observed | None:
     match what:
         case Observable.MOMENTUM if Conserves.MOMENTUM in scene.conserves:
             walls = any(math.isinf(body.mass) for body in scene.bodies)
-            return None if walls else momentum(scene, 0.0, start)
-        case Observable.ENERGY if keeps_energy(scene):
+            return None if walls else momentum_at_start(scene)
+        case Observable.ENERGY if keeps_energy(scene) and not any(f.may_be_brief for f in scene.forces):
             return energy(scene, 0.0, start)
         case Observable.ENERGY_RATIO if _parts_undamped(scene) and kinetic(scene, 0.0, start) > 0.0:
             return 1.0
@@ -207,7 +215,17 @@ def _at_the_start(scene: Scene, known: dict[Observable, Observed]) -> Run:
         else ("missed" if never_meets(scene, start_of(scene)) else "released")
     )
     why = "all that is asked is conserved: the start says it"
-    return by_relative_errors(observed, dict.fromkeys(observed, ROUNDING), "conservation", why, 0, outcome)
+    run = by_relative_errors(observed, dict.fromkeys(observed, ROUNDING), "conservation", why, 0, outcome)
+    return replace(run, measured=run.measured | _energy_of_terms(scene, run))
+
+
+def _energy_of_terms(scene: Scene, run: Run) -> dict[str, Measurement]:
+    """The energy of the start with an error that is a part of its terms, which may cancel; nothing where it is not asked, or infinite."""
+    found, start = run.measured.get(Observable.ENERGY.value), start_of(scene)
+    if found is None or found.value == math.inf:
+        return {}
+    off, size = rounding_of_energy(scene, start), energy_terms(scene, 0.0, start)
+    return {Observable.ENERGY.value: replace(found, error=off, size=size)}
 
 
 def _refuse_question(

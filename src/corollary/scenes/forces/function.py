@@ -19,8 +19,9 @@ Potential = Callable[[Sequence[float]], float]
 class ForceFunction(ForceOnOne):
     """`function(t, place, velocity)` is the force (N, by components) on one body; SI throughout.
 
-    With `energy`, the potential energy (J) at a place, the force conserves energy, and every run is watched for it: a potential that
-    is not the function's is found out. The function is to be smooth; where it jumps, write a `Force` with `events`.
+    With `energy`, the potential energy (J) at a place, the force conserves energy, and a run is watched for it: where the energy is
+    asked, a potential that differs from the work of the function by more than a thousandth is refused (GuardFailed), and what it
+    differs by less is in the error. The function is to be smooth; where it jumps, write a `Force` with `events`.
     What it gives must be finite at the start, and everywhere a tuple of as many real numbers as places have: a scene refuses one that is not
     (BadSetting), and GuardFailed is raised where it is not on the way.
     """

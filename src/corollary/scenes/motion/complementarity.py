@@ -4,6 +4,8 @@ The same conditions decide accelerations (multipliers are forces) and hits (they
 and Applications (1988); D. E. Stewart, SIAM Rev. 42 (2000) 3.
 """
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 import math

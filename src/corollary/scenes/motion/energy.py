@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from corollary.scenes.constraint import State
-from corollary.scenes.scene import Conserves, Scene, overlap, seen_from, spin, start_of, velocity
+from corollary.scenes.refused import OWN_FAILS
+from corollary.scenes.scene import Conserves, Force, Scene, overlap, seen_from, spin, start_of, velocity
 
 if TYPE_CHECKING:
     from corollary.scenes.motion.system import Mode
+
+ROUNDING = 2e-15
+"""What a few operations lose at most, as a part of the largest number in them."""
 
 
 def masses_at(scene: Scene, time: float) -> list[float]:
@@ -30,6 +35,15 @@ def momentum(scene: Scene, time: float, state: State) -> tuple[float, ...]:
     )
 
 
+def momentum_at_start(scene: Scene) -> tuple[float, ...]:
+    """The same at time zero, rounded once: terms may cancel."""
+    loose = [body for body in scene.bodies if not math.isinf(body.mass)]
+    return tuple(
+        float(sum(Fraction(float(b.mass)) * Fraction(float(b.velocity[axis])) for b in loose))
+        for axis in range(scene.axes)
+    )
+
+
 def impulses(scene: Scene, before: State, after: State) -> tuple[float, ...]:
     """The change of momentum (kg m/s) of each body that is no wall, body after body."""
     loose = [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]
@@ -42,29 +56,89 @@ def impulses(scene: Scene, before: State, after: State) -> tuple[float, ...]:
 
 
 def kinetic(scene: Scene, time: float, state: State) -> float:
-    """Kinetic energy (J) of the bodies that are not walls, and of the spins of all that can be turned."""
-    masses = masses_at(scene, time)
-    loose = [(i, m) for i, m in enumerate(masses) if not math.isinf(m)]
-    straight = sum(0.5 * m * math.hypot(*velocity(scene, state, i)) ** 2 for i, m in loose)
-    turning = [
-        0.5 * body.resists_spin * spin(scene, state, i) ** 2
-        for i, body in enumerate(scene.bodies)
-        if scene.spins and not math.isinf(body.resists_spin)
-    ]
-    return straight + sum(turning)
+    """Kinetic energy (J): of the bodies that are not walls, and of everything that turns and has a moment of inertia."""
+    straight = sum(
+        0.5 * m * math.hypot(*velocity(scene, state, i)) ** 2
+        for i, m in enumerate(masses_at(scene, time))
+        if not math.isinf(m)
+    )
+    return straight + sum(0.5 * inertia * spin(scene, state, i) ** 2 for i, inertia in _turning(scene))
+
+
+def _turning(scene: Scene) -> list[tuple[int, float]]:
+    """The bodies that may turn, with their moments of inertia (kg m^2): a disc on a nail is one of them."""
+    found = [(i, body.resists_spin) for i, body in enumerate(scene.bodies)] if scene.spins else []
+    return [(i, inertia) for i, inertia in found if not math.isinf(inertia)]
+
+
+def potentials(scene: Scene, time: float, state: State) -> list[float]:
+    """The potential energy (J) of each force, none of one that has none."""
+    scene = _weighed(scene, time)
+    return [force.potential(scene, state) for force in scene.forces]
+
+
+def _weighed(scene: Scene, time: float) -> Scene:
+    """The scene with the masses of that time."""
+    if not any(force.mass_rates for force in scene.forces):
+        return scene
+    return replace(
+        scene,
+        bodies=tuple(replace(b, mass=m) for b, m in zip(scene.bodies, masses_at(scene, time), strict=True)),
+        until=None,  # or what is left now would have to last as long again
+    )
 
 
 def energy(scene: Scene, time: float, state: State) -> float:
     """Kinetic energy and the potential energy (J) of all forces that have one."""
-    moving = kinetic(scene, time, state)
-    if any(force.mass_rates for force in scene.forces):
-        masses = masses_at(scene, time)
-        scene = replace(
-            scene,
-            bodies=tuple(replace(b, mass=m) for b, m in zip(scene.bodies, masses, strict=True)),
-            until=None,  # or what is left now would have to last as long again
-        )
-    return moving + sum(force.potential(scene, state) for force in scene.forces)
+    return kinetic(scene, time, state) + sum(potentials(scene, time, state))
+
+
+def energy_terms(scene: Scene, time: float, state: State) -> float:
+    """The same with all terms counted as positive (J): what its rounding is a part of."""
+    return kinetic(scene, time, state) + sum(map(abs, potentials(scene, time, state)))
+
+
+def rounding_of_energy(scene: Scene, start: State) -> float:
+    """How far the energy (J) at time zero is off by rounding: its terms may cancel."""
+    return ROUNDING * energy_terms(scene, 0.0, start) + potential_off(scene, 0.0, start)
+
+
+def kinetic_off(scene: Scene, time: float, state: State, speed: float) -> float:
+    """How far kinetic energy (J) is off where velocities, those of surfaces too, are off by `speed` (m/s)."""
+    straight = sum(
+        m * speed * (math.hypot(*velocity(scene, state, i)) + 0.5 * speed)
+        for i, m in enumerate(masses_at(scene, time))
+        if not math.isinf(m)
+    )
+    spins = [
+        (inertia, abs(spin(scene, state, i)), speed / scene.bodies[i].radius)
+        for i, inertia in _turning(scene)
+        if scene.bodies[i].radius > 0.0
+    ]
+    return straight + sum(inertia * off * (turns + 0.5 * off) for inertia, turns, off in spins)
+
+
+def potential_off(scene: Scene, time: float, state: State, far: float = 0.0) -> float:
+    """How far potential energy (J) is off where places of bodies that are no walls are off by `far` (m), and all by their rounding."""
+    scene, total = _weighed(scene, time), 0.0
+    for force in scene.forces:
+        for i, body in enumerate(scene.bodies):
+            for j in range(scene.axes * i, scene.axes * (i + 1)):
+                off = 2.0 * math.ulp(abs(state[j]) + body.radius)
+                total += _moved_by(force, scene, state, j, off if math.isinf(body.mass) else max(off, far))
+    return total
+
+
+def _moved_by(force: Force, scene: Scene, state: State, j: int, off: float) -> float:
+    """By how much (J) its potential changes where one coordinate is off; one of somebody's own may end on one side."""
+    here, changes = force.potential(scene, state), [0.0]
+    for x in (state[j] - off, state[j] + off):
+        try:
+            change = abs(force.potential(scene, [*state[:j], x, *state[j + 1 :]]) - here)
+        except OWN_FAILS:
+            continue
+        changes += [change] if math.isfinite(change) else []
+    return max(changes)
 
 
 def keeps_energy(scene: Scene, mode: Mode | None = None) -> bool:
