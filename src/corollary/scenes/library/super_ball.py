@@ -157,8 +157,14 @@ def _weighed(
     )
     # From the last opening to the end they flew, and slowed down, freely.
     lasts = components(run.observed["duration"])[0]
+    left = tuple(v + g * (end - falls - lasts) for v in velocities[1:])
+    if left[0] < 0.0:
+        raise GuardFailed(
+            "super_ball: with its weight the lower ball is on its way down to the floor again after the last touch, on an edge. "
+            "Change a mass a little."
+        )
     observed: dict[str, Observed] = {
-        "velocities": tuple(v + g * (end - falls - lasts) for v in velocities[1:]),
+        "velocities": left,
         "heights": heights[1:],
         "duration": run.observed["duration"],
     }
