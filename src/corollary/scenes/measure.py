@@ -13,7 +13,7 @@ from corollary.scenes.motion.energy_errors import conserved, energy_lost, energy
 from corollary.scenes.motion.follow import follow
 from corollary.scenes.motion.observe import contact_span, look, outcome, state_at, unequal
 from corollary.scenes.motion.path import Trajectory
-from corollary.scenes.motion.ties import undecided
+from corollary.scenes.motion.ties import doubts
 from corollary.scenes.motion.turns import flat, near
 from corollary.scenes.perturbation import CHANGED, perturbed
 from corollary.scenes.progress import part
@@ -172,7 +172,7 @@ def measured(
         warnings.append(
             "two runs of different accuracy differ in the order of what happens: contacts all but coincide"
         )
-    warnings += undecided(rough, right)
+    warnings += doubts(rough, right)
     worst = max((m.condition or 0.0 for m in found.values()), default=0.0)
     if worst > CHAOTIC:
         warnings.append(

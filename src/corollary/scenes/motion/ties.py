@@ -65,7 +65,7 @@ def crowded(system: System, time: float, y: State, sizes: Sizes) -> bool:
     return False
 
 
-def undecided(*paths: Trajectory) -> list[str]:
+def doubts(*paths: Trajectory) -> list[str]:
     """What errors have decided on the way, in sentences: when first, and that it is in the errors stated."""
     found: list[str] = []
     if grazes := [time for path in paths for time in path.grazes]:
