@@ -88,3 +88,15 @@ def test_an_upper_ball_that_is_far_too_late_is_refused():
     for weighed in (0, 1):
         with pytest.raises(GuardFailed, match="bounces some 15811 times"):
             run("super_ball", {"gap": 1e9, "weighed": weighed})
+
+
+def test_a_lower_ball_that_falls_back_right_after_the_last_touch_is_refused():
+    """Without weight it is left with hardly a velocity, with weight on its way down: one touch more, or one less."""
+    edge = {
+        "mA": 3.377736142018277,
+        "mB": 6.331744952901499,
+        "h0": 0.2541150772861272,
+        "k": 2648728883.4491453,
+    }
+    with pytest.raises(GuardFailed, match="on its way down to the floor"):
+        run("super_ball", edge | {"q": 1.0, "gap": 0.0067312677789303265, "weighed": 1})
