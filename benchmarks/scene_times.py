@@ -68,7 +68,10 @@ def asked(scene: str, options: Sequence[str]) -> Asked:
     begin, clock = time.thread_time(), time.perf_counter()
     with redirect_stderr(terminal), redirect_stdout(io.StringIO()):
         try:
-            answered = command.run(scene, list(options), TOLERANCE, proven=False, explained=False, as_json=True) == HOLDS
+            answered = (
+                command.run(scene, list(options), TOLERANCE, proven=False, explained=False, as_json=True)
+                == HOLDS
+            )
             # A refusal is said where the bar was: that is no bar.
             silent = not answered and terminal.getvalue().startswith("corollary: ")
         except BadSetting:
