@@ -28,3 +28,8 @@ class Body:
         if self.inertia is not None:
             return self.inertia
         return 0.4 * self.mass * self.radius**2 if self.radius > 0.0 else math.inf
+
+
+def nothing_moves(first: Body, second: Body) -> bool:
+    """Whether both are walls: what acts between them turns them at most."""
+    return math.isinf(min(first.mass, second.mass))

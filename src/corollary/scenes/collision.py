@@ -20,10 +20,8 @@ from corollary.scenes.row import (
     in_units,
     natural_units,
 )
-from corollary.scenes.run import GuardFailed, Model, Observed, Run, by_relative_errors, two_runs
+from corollary.scenes.run import ROUNDING, GuardFailed, Model, Observed, Run, by_relative_errors, two_runs
 
-# What rounding leaves of a closed formula.
-ROUNDING = 2e-15
 # Two runs may agree by chance: so many times their difference holds in all but one value of a thousand (benchmarks/calibration.py).
 SAFE = 10.0
 # One number's difference may pass through zero between two tolerances, where those of the others do not: this share of theirs is its own.

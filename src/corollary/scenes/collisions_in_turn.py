@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import ROUNDING, collide
+from corollary.scenes.collision import collide
 from corollary.scenes.definition import Settings, numbers, row
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.row import RowOfBodies
-from corollary.scenes.run import STEPS, Model, Observed, Run, by_relative_errors
+from corollary.scenes.run import ROUNDING, STEPS, Model, Observed, Run, by_relative_errors
 
 ONE_BY_ONE = "momentum at every collision, one after the other"
 

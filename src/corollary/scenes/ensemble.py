@@ -21,7 +21,7 @@ from corollary.scenes.integrate import both_ways, contact_motion, row_motion
 from corollary.scenes.integrate.regularised import MOST_COMPILED
 from corollary.scenes.integrate.single_contact import MOST_STEPS
 from corollary.scenes.library import spheres
-from corollary.scenes.run import BadSetting, two_runs
+from corollary.scenes.run import ROUNDING, BadSetting, two_runs
 from corollary.scenes.sound import refuse_tolerance, short_text
 
 Array = NDArray[np.float64]
@@ -169,7 +169,7 @@ def _cradle(settings: dict[str, Array], n: int, tolerances: tuple[float, float])
         "largest_overlap": length,
         "peak_force": mass * speed**2 / length,
     }
-    sure = collision.SAFE, collision.SHARED, collision.ROUNDING
+    sure = collision.SAFE, collision.SHARED, ROUNDING
     found = _gathered(units, coarse, fine, np.where(refused, REFUSED, ends), sure, spent, strains)
     slow = np.abs(np.diff(found.observed["velocities"], axis=1)) <= found.errors["velocities"][:, 1:]
     undecided = (openings > 0) & (slow.any(axis=1) | (openings != touched))

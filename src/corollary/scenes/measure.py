@@ -65,7 +65,7 @@ def _grazing(scene: Scene, tolerance: float) -> tuple[Trajectory | None, ...]:
     and the other way round.
     """
     rough, right, _ = _paths(scene, tolerance)
-    if not any(path.grazes or path.ties or path.crowds for path in (rough, right)):
+    if not (rough.doubts or right.doubts):
         return ()
     found: list[Trajectory | None] = []
     for shift, begin in ((rough.near, 0.95), (-rough.near, 0.975)):
@@ -89,7 +89,8 @@ def measured(
     """
     rough, right, other = _paths(scene, tolerance)
     shifted = _grazing(scene, tolerance)
-    sizes = _natural(scene, right)
+    hot = hottest(scene, right)
+    sizes = _natural(scene, right, hot)
     found: dict[str, Measurement] = {}
     warnings: list[str] = []
     if right.rests:
@@ -108,7 +109,6 @@ def measured(
     )
     # What the places and velocities are off that an energy is made of, as a part of theirs: by steps, and by rounding.
     rounded = 2.3e-16 * (4.0 + math.sqrt(len(right.stretches))) + 1e-14 * len(right.happenings)
-    hot = hottest(scene, right)
     lost = energy_lost(scene, right, hot)
     same = rough.order() == right.order()
     for what in [o for o in Observable if o in observe]:  # a set's order is another in every process
@@ -183,14 +183,13 @@ def measured(
     return Run(found, spent, outcome(scene, right), tuple(warnings))
 
 
-def _natural(scene: Scene, path: Trajectory) -> dict[Observable, float]:
-    """Sizes of what can come out as zero: the largest there was on the way."""
+def _natural(scene: Scene, path: Trajectory, hot: float) -> dict[Observable, float]:
+    """Sizes of what can come out as zero: the largest there was on the way; `hot` is that of kinetic energy (J)."""
     states = [stretch.after for stretch in path.stretches] + [start_of(scene)]
     count = scene.axes * len(scene.bodies)
     fast = max(path.fast, *(abs(v) for y in states for v in y[count : 2 * count]))
     long = max(path.long, *(abs(x) for y in states for x in y[:count]))
     heavy = max((b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0)
-    hot = hottest(scene, path)
     light = min((b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0)
     return {
         Observable.VELOCITIES: fast,

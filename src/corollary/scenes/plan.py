@@ -14,7 +14,6 @@ from numbers import Real
 
 from corollary.scenes.closed_forms import in_a_plane, in_a_well, on_a_line, round_a_centre
 from corollary.scenes.motion.energy import (
-    ROUNDING,
     energy,
     energy_terms,
     keeps_energy,
@@ -26,6 +25,7 @@ from corollary.scenes.motion.energy import (
 from corollary.scenes.refused import OWN_FAILS
 from corollary.scenes.run import (
     DEARER,
+    ROUNDING,
     STEPS,
     BadSetting,
     GuardFailed,

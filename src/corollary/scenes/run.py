@@ -16,6 +16,9 @@ ErrorKind = Literal["bound", "estimate"]
 DEARER: tuple[Model, ...] = ("conservation", "quadrature", "piecewise exact", "integration")
 """The models, each dearer than those before it."""
 
+ROUNDING = 2e-15
+"""What rounding leaves of a closed formula, as a part of the largest number in it."""
+
 COARSEST = 1e-6
 """Beyond this tolerance steps are so long that two runs take the same and cannot tell their error; they cost little less, too."""
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Flag
 
-from corollary.scenes.body import Body
+from corollary.scenes.body import Body, nothing_moves
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.refused import is_own, refuse_misfits, refuse_parts
 from corollary.scenes.run import BadSetting
@@ -281,7 +281,7 @@ def pairs(scene: Scene, turning: bool = False) -> Iterator[tuple[int, int]]:
     for a, first in enumerate(scene.bodies):
         for b, second in enumerate(scene.bodies[a + 1 :], start=a + 1):
             turned = turning and min(first.resists_spin, second.resists_spin) < math.inf
-            if first.radius + second.radius > 0.0 and (turned or min(first.mass, second.mass) < math.inf):
+            if first.radius + second.radius > 0.0 and (turned or not nothing_moves(first, second)):
                 yield a, b
 
 

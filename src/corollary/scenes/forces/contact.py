@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from corollary.scenes.body import nothing_moves
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import (
@@ -81,7 +82,7 @@ class Contact(ContactForce):
 
     def _held(self, scene: Scene) -> list[tuple[int, int]]:
         """The pairs that nothing moves: a touch turns them at most."""
-        return [pair for pair in self.serves(scene) if all(math.isinf(scene.bodies[i].mass) for i in pair)]
+        return [pair for pair in self.serves(scene) if nothing_moves(*(scene.bodies[i] for i in pair))]
 
     def _rub(self, scene: Scene, a: int, b: int) -> Rub:
         """Where the surfaces of two bodies slip on each other; their arms end where they touch, so nothing turns by itself."""

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from corollary.formula.ball import Ball
-from corollary.scenes.collision import ROUNDING, collide
+from corollary.scenes.collision import collide
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.falls_and_swings import EXACT, fallen
 from corollary.scenes.forces.contact import Contact
@@ -25,7 +25,7 @@ from corollary.scenes.models.two_bodies import (
     undamped,
 )
 from corollary.scenes.row import RowOfBodies
-from corollary.scenes.run import NEVER_PART, BadSetting, Model, Observed, Run, by_relative_errors
+from corollary.scenes.run import NEVER_PART, ROUNDING, BadSetting, Model, Observed, Run, by_relative_errors
 
 SETTINGS = (
     Setting("m", "mass of the ball", "kg", 0.1, above=0.0),

@@ -10,11 +10,19 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from corollary.scenes.collision import ROUNDING, SAFE
+from corollary.scenes.collision import SAFE
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.falls_and_swings import swung
 from corollary.scenes.forces.spring import catching
-from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, by_relative_errors, two_runs
+from corollary.scenes.run import (
+    ROUNDING,
+    BadSetting,
+    GuardFailed,
+    Observed,
+    Run,
+    by_relative_errors,
+    two_runs,
+)
 
 SETTINGS = (
     Setting("mA", "mass of the bullet", "kg", 0.01, above=0.0),

@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING
 
 from corollary.scenes.constraint import State
 from corollary.scenes.refused import OWN_FAILS
+from corollary.scenes.run import ROUNDING
 from corollary.scenes.scene import Conserves, Force, Scene, overlap, seen_from, spin, start_of, velocity
 
 if TYPE_CHECKING:
     from corollary.scenes.motion.system import Mode
-
-ROUNDING = 2e-15
-"""What a few operations lose at most, as a part of the largest number in them."""
 
 
 def masses_at(scene: Scene, time: float) -> list[float]:

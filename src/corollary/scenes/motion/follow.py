@@ -67,7 +67,7 @@ class Follower:
                 )
         path.mode, path.evaluations, path.fades = mode, self.system.evaluations, self.steps.fades
         if hit_in_doubt(self.system, path, mode, self.sizes.speed):
-            path.grazes.append(path.time)
+            path.doubt("graze", path.time)
         return path
 
     def _begin(self) -> Mode:
@@ -95,8 +95,8 @@ class Follower:
         except GuardFailed as error:
             raise GuardFailed(f"{self.scene.name}: {error}") from None
         path.state = moment.y
-        path.ties += [path.time] * moment.tied
-        path.crowds += [path.time] * moment.crowded
+        for what in moment.doubts:
+            path.doubt(what, path.time)
         if moment.dropped:
             ends = path.time + moment.lasts
             path.rests.append(ends)
@@ -147,9 +147,9 @@ class Follower:
                 return mode
             met = self.steps.first_event(guards, stretch)
             if self.steps.nearest < path.near:
-                path.grazes.append(stretch.begin)
+                path.doubt("graze", stretch.begin)
             if self.steps.tied:
-                path.ties.append(stretch.begin)
+                path.doubt("tie", stretch.begin)
             if met is not None:
                 return self._met(guards, stretch, slope, *met)
             self._add(stretch)

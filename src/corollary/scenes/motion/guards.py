@@ -26,11 +26,15 @@ EXHAUSTED = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Guard:
-    """`kind` and `number` say what happens when it falls: which contact, constraint, event or rub."""
+    """`kind` and `number` say what happens when it falls: which contact, constraint, event or rub.
+
+    It is seen to happen `late`, by so much of what the guard looks at.
+    """
 
     kind: Kind
     number: int
     name: str
+    late: float = 0.0
 
 
 class Guards:
@@ -58,7 +62,7 @@ class Guards:
             constraint = system.constraints[i]
             if status == "off" and not constraint.two_sided:
                 self._add(
-                    Guard("hit", i, constraint.name),
+                    Guard("hit", i, constraint.name, self.late),
                     lambda t, y, c=constraint: c.gap(t, y) + self.late,
                 )
         for j, (side, event) in enumerate(zip(mode.sides, system.events, strict=True)):
@@ -79,9 +83,7 @@ class Guards:
         self.sticks = [(k, len(held) + at) for at, k in enumerate(active) if mode.rubbed[k] == "stick"]
         self.names += [Guard("release", i, system.constraints[i].name) for i, _ in self.presses]
         self.names += [Guard("break", k, system.rubs[k].name) for k, _ in self.sticks]
-        self.most: list[float] = []
-        """The squares (N^2) of what each that sticks can hold, as the mode begins."""
-        self.strong = self._force_noise(begun) if self.presses or self.sticks else 0.0
+        self.strong, self.most = self._strengths(begun) if self.presses or self.sticks else (0.0, [])
 
     def values(self, time: float, y: State) -> list[float]:
         """All guards in a state, in the order of `names`."""
@@ -128,11 +130,8 @@ class Guards:
         A hit takes place where the gap is closed, not where it was seen to be: a body that is let go from there, time and again, would
         gain the energy of the way between the two at each bounce. So does a stop where nothing slips any more.
         """
-        one = self.one(index)
-        guard = self.names[index]
-        if guard.kind == "stop" and len(self.mode.rubbed[guard.number]) == 1:
-            return lambda t, y: one(t, y) - 0.1 * self.sizes.speed
-        return (lambda t, y: one(t, y) - self.late) if guard.kind == "hit" else one
+        one, late = self.one(index), self.names[index].late
+        return (lambda t, y: one(t, y) - late) if late else one
 
     def undecided(self, guard: Guard, stretch: Stretch) -> bool:
         """Whether bodies stay at the very edge of a force, as two ends of a spring of some length that are pressed to one place."""
@@ -173,13 +172,14 @@ class Guards:
         return abs(apart - reach) <= 2.0 * shift
 
     def _slip(self, k: int, status: tuple[float, ...]) -> None:
-        system, guard = self.system, Guard("stop", k, self.system.rubs[k].name)
+        system, late = self.system, 0.1 * self.sizes.speed if len(status) == 1 else 0.0
+        guard = Guard("stop", k, system.rubs[k].name, late)
 
         def along(time: float, y: State) -> float:
             return sum(a * b for a, b in zip(status, system.slip(time, y, k), strict=True))
 
         if len(status) == 1:
-            self._add(guard, lambda t, y: along(t, y) + 0.1 * self.sizes.speed)
+            self._add(guard, lambda t, y: along(t, y) + late)
             return
 
         def square(time: float, y: State) -> float:
@@ -211,12 +211,12 @@ class Guards:
             found.append(margin + self.strong**2)
         return found
 
-    def _force_noise(self, time: float) -> float:
-        """A force (N) too small to decide anything."""
+    def _strengths(self, time: float) -> tuple[float, list[float]]:
+        """A force (N) too small to decide anything; and the squares (N^2) of what each that sticks can hold, as the mode begins."""
         items, found, gained = self.system.held(time, self.since, self.since, self.mode)
-        self.most = [(items[at].static * normal_force(items, found, at)) ** 2 for _, at in self.sticks]
+        most = [(items[at].static * normal_force(items, found, at)) ** 2 for _, at in self.sticks]
         inverse = self.system.inverse(time)
         strong = max((float(np.abs(z).max(initial=0.0)) for z in found.multipliers), default=0.0)
         strong = max([strong, *(item.given * item.static for item in items)])
         heavy = [abs(g) / w for g, w in zip(gained, inverse.tolist(), strict=True) if w]
-        return 1e-9 * max([strong, *heavy, 1e-300])
+        return 1e-9 * max([strong, *heavy, 1e-300]), most

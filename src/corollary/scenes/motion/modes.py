@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from corollary.scenes.motion.complementarity import Item, Status, answer, redirected, settled
+from corollary.scenes.motion.path import Doubt
 from corollary.scenes.motion.projection import project, same_twice
 from corollary.scenes.motion.reversal import left_over
 from corollary.scenes.motion.sizes import Sizes
@@ -26,9 +27,8 @@ class Moment:
 
     `barred` are constraints that must let go and rubs that must slip (with the direction of the force that held them), because
     that is why the moment came, `stopped` is a rub that has just stopped slipping; `before` is the mode until then. `looks_ahead`: what
-    holds is decided by what comes next, where it is not by what is. `hits` counts what was hit, `tied` says that errors decide whether
-    friction holds, `crowded` that they decide which of several hits is first; `dropped` is the speed (m/s) taken for none, and `lasts` how
-    long (s) the bounces left out would have taken.
+    holds is decided by what comes next, where it is not by what is. `hits` counts what was hit, `doubts` are what errors decide; `dropped` is the
+    speed (m/s) taken for none, and `lasts` how long (s) the bounces left out would have taken.
     """
 
     system: System
@@ -41,8 +41,7 @@ class Moment:
     stopped: int = -1
     looks_ahead: bool = True
     hits: int = 0
-    tied: bool = False
-    crowded: bool = False
+    doubts: set[Doubt] = field(default_factory=set[Doubt])
     dropped: float = 0.0
     lasts: float = 0.0
 
@@ -92,7 +91,8 @@ class Moment:
 
     def _settle_hits(self) -> None:
         system, inverse = self.system, self.system.inverse(self.time)
-        self.crowded = crowded(system, self.time, self.y, self.sizes)
+        if crowded(system, self.time, self.y, self.sizes):
+            self.doubts.add("crowd")
         for group, _ in system.clusters(self.time, self.y, self._near(), []):
             rates = {i: self._rate(i) for i in group}
             hit = [i for i in group if rates[i] < -self.sizes.speed and not system.constraints[i].two_sided]
@@ -232,7 +232,8 @@ class Moment:
             items, statuses = turned, settled(turned, inverse, where)
         else:
             raise GuardFailed(f"{where}: no direction in which {items[-1].name} begins to slip was found.")
-        self.tied |= tied(items, statuses, inverse, self.sizes.tie)
+        if tied(items, statuses, inverse, self.sizes.tie):
+            self.doubts.add("tie")
         for i, status in zip(group, statuses, strict=False):
             held[i] = status
         for k, status in zip(rubs, statuses[len(group) :], strict=True):

@@ -12,12 +12,22 @@ from typing import assert_never
 
 from scipy.optimize import minimize_scalar
 
+from corollary.scenes.body import nothing_moves
 from corollary.scenes.motion.energy import energy, impulses, kinetic, masses_at, momentum
 from corollary.scenes.motion.isolation import POINTS
 from corollary.scenes.motion.path import Stretch, Trajectory
 from corollary.scenes.motion.turns import fastest, flat, turns
 from corollary.scenes.run import BadSetting, Observable, Observed, Outcome
-from corollary.scenes.scene import ContactForce, Scene, overlap, pairs, place, spin, start_of, velocity
+from corollary.scenes.scene import (
+    ContactForce,
+    Scene,
+    overlap,
+    pairs,
+    place,
+    spin,
+    start_of,
+    velocity,
+)
 
 Value = Callable[[Sequence[float]], float]
 
@@ -62,7 +72,6 @@ def _beyond_every_edge(scene: Scene, state: Sequence[float]) -> bool:
 def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float]) -> Observed:
     """One observable; `times` (s) are those of a trajectory. Raises BadSetting where the scene has no such thing."""
     every = range(len(scene.bodies))
-    served = _served(scene, path)
     match what:
         case Observable.VELOCITIES:
             return tuple(v for i in every for v in velocity(scene, path.state, i))
@@ -76,6 +85,7 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
                 )
             return kinetic(scene, path.time, path.state) / before
         case Observable.LARGEST_OVERLAP:
+            served = _served(scene, path)
             chosen = {(a, b) for _, a, b, _ in served}
             found = [
                 _largest(lambda y, a=a, b=b: overlap(scene, y, a, b)[0], touching)
@@ -93,12 +103,12 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
             return max(
                 (
                     _largest(lambda y, f=f, a=a, b=b: math.hypot(*f.between(scene, y, a, b)), touching)
-                    for f, a, b, touching in served
+                    for f, a, b, touching in _served(scene, path)
                 ),
                 default=0.0,
             )
         case Observable.DURATION:
-            span = contact_span(path, [each for *_, touching in served for each in touching])
+            span = contact_span(path, [each for *_, touching in _served(scene, path) for each in touching])
             return span.lasts if span else 0.0
         case Observable.TURNING_POINTS:
             distances = [turn.distance for turn in turns(scene, path)]
@@ -212,7 +222,7 @@ def _served(scene: Scene, path: Trajectory) -> list[tuple[ContactForce, int, int
     contact = 0
     for force in scene.contacts:
         for a, b in force.serves(scene):
-            if math.isinf(min(scene.bodies[i].mass for i in (a, b))):  # no mode tells: nothing is pushed
+            if nothing_moves(scene.bodies[a], scene.bodies[b]):  # no mode tells: nothing is pushed
                 touching = [each for each in path.stretches if overlap(scene, each.at(0.5), a, b)[0] > 0.0]
             else:
                 touching = [each for each in path.stretches if each.mode.touching[contact]]

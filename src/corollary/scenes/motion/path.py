@@ -8,6 +8,7 @@ import math
 from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -114,12 +115,16 @@ class Turn:
     inward: bool
 
 
+Doubt = Literal["graze", "crowd", "tie"]
+"""A touch may be missed; of several hits another may be first; friction may hold or not."""
+
+
 @dataclass(slots=True)
 class Trajectory:
     """`happenings` are in order; `rests` the times (s) at which bounces without end were over.
 
-    `grazes` are the times (s) of touches that are missed, or met, by less than `near` (m), `ties` those from which on friction holds by
-    hardly more than it must, or slips, `crowds` those of hits whose order errors decide; `dropped` is a speed (m/s) that was taken
+    `doubts` are what errors decide, each with the time (s) at which it is met first (`doubt`); touches are doubted that are missed, or met,
+    by less than `near` (m). `dropped` is a speed (m/s) that was taken
     for rest; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene, `allowed` (m) is what a step may be off. `fades`:
     what faded held steps down, and errors with it. `turned` are the turns of the first body's distance, once they have been looked for.
     """
@@ -134,9 +139,7 @@ class Trajectory:
     rests: list[float] = field(default_factory=list[float])
     evaluations: int = 0
     dropped: float = 0.0
-    grazes: list[float] = field(default_factory=list[float])
-    ties: list[float] = field(default_factory=list[float])
-    crowds: list[float] = field(default_factory=list[float])
+    doubts: dict[Doubt, float] = field(default_factory=dict[Doubt, float])
     near: float = 0.0
     allowed: float = 0.0
     fast: float = 0.0
@@ -147,6 +150,10 @@ class Trajectory:
     turned: list[Turn] | None = None
     bends: dict[int, bool] = field(default_factory=dict[int, bool])
     """Of the stretches in which a moment was looked up: whether the polynomial is too far off for it."""
+
+    def doubt(self, what: Doubt, time: float) -> None:
+        """Errors decide about something from a time (s) on."""
+        self.doubts.setdefault(what, time)
 
     def ends(self) -> list[list[float]]:
         """The states at all ends of steps."""

@@ -50,44 +50,48 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
     gained = max((abs(a) for a in system.gains(0.0, y, y)[:count]), default=0.0)
     brief = pushed(scene, y)
     gained = max(gained, brief)
-    reach = gained * scene.until if scene.until else math.inf
-    fast = max(fast, min(math.sqrt(long * gained), reach)) or 1.0
+    fast = max(fast, _gets(long, gained, scene.until)) or 1.0
+    still = [*y[:count], *([0.0] * (len(y) - count))]
+    gains = [abs(a) for a in system.gains(0.0, still, still)[:count]] if system.rubs else []
     deep = min([long, *(_depth(scene, fast, force, a, b) for force, a, b in system.contacts)])
+    place = min(long, 30.0 * deep)
     return Sizes(
         long=long,
         fast=fast,
         deep=deep,
-        place=min(long, 30.0 * deep),
+        place=place,
         gap=1e-12 * long,
         speed=1e-12 * fast,
         bounce=max(0.1 * tolerance * long, 64.0 * math.ulp(long)),
         rest=max(tolerance, 1e-7) * fast,
         # What is fast elsewhere does not make a slip slow, but steps know no speed better than they are allowed to.
         rests=tuple(
-            max(tolerance * fast, 1e-7 * (_own(system, rub, y, brief) or fast)) for rub in system.rubs
+            max(tolerance * fast, 1e-7 * (_own(scene, rub, y, gains, brief) or fast)) for rub in system.rubs
         ),
         blur=16.0 * math.ulp(long),
-        doubt=GRAZING * tolerance * min(long, 30.0 * deep),
+        doubt=GRAZING * tolerance * place,
         tie=max(GRAZING * tolerance, 1e-9),
         shift=shift,
     )
 
 
-def _own(system: System, rub: Rub, y: list[float], gained: float) -> float:
+def _gets(long: float, gained: float, until: float | None) -> float:
+    """About how fast (m/s) what is pushed by `gained` (m/s^2) gets on a way of `long` (m), if not before the end."""
+    return min(math.sqrt(long * gained), gained * until if until else math.inf)
+
+
+def _own(scene: Scene, rub: Rub, y: list[float], gains: list[float], brief: float) -> float:
     """About how fast (m/s) the bodies of a rub will be by themselves: as they are, or as what pushes them at rest makes them.
 
-    That is `gained` (m/s^2) at least.
+    That are the `gains` of places (m/s^2), and `brief` (m/s^2) at least.
     """
-    scene, count, axes = system.scene, system.count, system.scene.axes
+    count, axes = len(gains), scene.axes
     mine = [axes * i + axis for i in rub.bodies for axis in range(axes)]
     bodies = [scene.bodies[i] for i in rub.bodies]
-    still = [*y[:count], *([0.0] * (len(y) - count))]
-    gains = system.gains(0.0, still, still)
-    gained = max(gained, *(abs(gains[j]) for j in mine))
+    gained = max(brief, *(gains[j] for j in mine))
     long = max(max(abs(y[j]) for j in mine), *(body.radius for body in bodies))
     fast = max([abs(y[count + j]) for j in mine] + [abs(b.spin) * b.radius for b in bodies])
-    reach = gained * scene.until if scene.until else math.inf
-    return max(fast, math.hypot(*rub.driven), min(math.sqrt(long * gained), reach) if long else 0.0)
+    return max(fast, math.hypot(*rub.driven), _gets(long, gained, scene.until))
 
 
 def _depth(scene: Scene, fast: float, force: ContactForce, a: int, b: int) -> float:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from corollary.scenes.body import nothing_moves
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.motion.complementarity import Answer, Item, Status, answer
 from corollary.scenes.refused import is_own
@@ -50,8 +51,8 @@ class System:
         self.pressed: list[int] = []
         self.rub_contacts: list[int] = []
         self.always = [force for force in scene.forces if not isinstance(force, ContactForce)]
-        touches = [(force, a, b) for force in scene.contacts for a, b in force.serves(scene)]
-        self.contacts = [each for each in touches if min(self.heavy[i] for i in each[1:]) < math.inf]
+        bodies, touches = scene.bodies, [(f, a, b) for f in scene.contacts for a, b in f.serves(scene)]
+        self.contacts = [(f, a, b) for f, a, b in touches if not nothing_moves(bodies[a], bodies[b])]
         for force in scene.forces:
             held = list(force.constraints(scene))
             first = len(self.constraints)

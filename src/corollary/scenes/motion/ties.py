@@ -9,11 +9,17 @@ from typing import TypeVar
 
 from corollary.scenes.constraint import Rub, State, farther_off
 from corollary.scenes.motion.complementarity import Item, Status, settled
-from corollary.scenes.motion.path import Trajectory
+from corollary.scenes.motion.path import Doubt, Trajectory
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, System
 from corollary.scenes.run import GuardFailed
 from corollary.scenes.scene import start_of
+
+SENTENCES: dict[Doubt, str] = {
+    "graze": "a touch grazes soon after {:.6g} s: whether it happens is within the error, and in the errors stated",
+    "crowd": "at {:.6g} s a body is hit from several sides all but at once: which hit is first is in the errors stated",
+    "tie": "friction soon after {:.6g} s can hold as much as it must, but for errors: whether it does is in the errors stated",
+}
 
 Rubbing = TypeVar("Rubbing", Item, Rub)
 
@@ -67,17 +73,8 @@ def crowded(system: System, time: float, y: State, sizes: Sizes) -> bool:
 
 def doubts(*paths: Trajectory) -> list[str]:
     """What errors have decided on the way, in sentences: when first, and that it is in the errors stated."""
-    found: list[str] = []
-    if grazes := [time for path in paths for time in path.grazes]:
-        found.append(
-            f"a touch grazes soon after {min(grazes):.6g} s: whether it happens is within the error, and in the errors stated"
-        )
-    if crowds := [time for path in paths for time in path.crowds]:
-        found.append(
-            f"at {min(crowds):.6g} s a body is hit from several sides all but at once: which hit is first is in the errors stated"
-        )
-    if ties := [time for path in paths for time in path.ties]:
-        found.append(
-            f"friction soon after {min(ties):.6g} s can hold as much as it must, but for errors: whether it does is in the errors stated"
-        )
-    return found
+    return [
+        sentence.format(min(path.doubts.get(what, math.inf) for path in paths))
+        for what, sentence in SENTENCES.items()
+        if any(what in path.doubts for path in paths)
+    ]
