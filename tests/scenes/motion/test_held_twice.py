@@ -158,3 +158,35 @@ def test_a_foot_that_stops_sliding_stands():
     ):
         assert abs(value - true) <= error + 1e-12
         assert error < 1e-9
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-10])
+@pytest.mark.parametrize("pull_by", [1.0, -2.0, 3.0, 4.8])
+def test_whether_string_or_floor_carries_a_bob_is_said_to_be_open(pull_by, tolerance):
+    """Carried by the floor, with 4.9 N of friction, it rests; carried by the string it swings: both obey the laws of rigid bodies."""
+
+    def swings(t, y):
+        return [y[1], pull_by * math.cos(y[0]) - 9.8 * math.sin(y[0])]
+
+    angle, rate = solve_ivp(swings, (0.0, 0.3), [0.0, 0.0], method="DOP853", rtol=1e-13, atol=1e-15).y[:, -1]
+    bob, nail = Body(1.0, (0.0, 0.0), (0.0, 0.0)), Body(math.inf, (0.0, 1.0), (0.0, 0.0))
+    floor = HardWall((0.0, 1.0), restitution=0.0, mu=0.5, only=(0,))
+    scene = Scene((bob, nail), (String((0, 1)), Weight(9.8), floor, pull(pull_by, 0.0)), until=0.3)
+    found = play(scene, {O.VELOCITIES}, tolerance)
+    assert any("leave it open" in warning for warning in found.warnings)
+    for value, error, swung in zip(
+        found.observed["velocities"],
+        found.errors["velocities"],
+        (rate * math.cos(angle), rate * math.sin(angle)),
+        strict=False,
+    ):
+        assert abs(value) <= error
+        assert abs(value - swung) <= error
+
+
+def test_a_bob_that_floor_and_string_leave_no_choice_is_not_said_to_be_open():
+    """Pulled by more than friction could hold it is off the floor as soon as it moves."""
+    bob, nail = Body(1.0, (0.0, 0.0), (0.0, 0.0)), Body(math.inf, (0.0, 1.0), (0.0, 0.0))
+    floor = HardWall((0.0, 1.0), restitution=0.0, mu=0.5, only=(0,))
+    scene = Scene((bob, nail), (String((0, 1)), Weight(9.8), floor, pull(5.0, 0.0)), until=0.3)
+    assert play(scene, {O.VELOCITIES}).warnings == ()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -11,8 +11,8 @@ import numpy as np
 
 from corollary.scenes.constraint import State
 from corollary.scenes.integrate.contact_motion import NEAREST
-from corollary.scenes.motion.complementarity import normal_force
 from corollary.scenes.motion.isolation import minima
+from corollary.scenes.motion.multipliers import normal_force
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
@@ -22,6 +22,8 @@ Value = Callable[[float, State], float]
 Kind = Literal["touch", "overlap", "soft", "hit", "event", "release", "break", "stop"]
 # What friction holds to within this share of all it can is at its limit.
 EXHAUSTED = 1e-6
+# Such a part of a force decides nothing; and such a part of others that are found together with it.
+TRIFLE, ROUNDED = 1e-9, 1e-13
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +85,10 @@ class Guards:
         self.sticks = [(k, len(held) + at) for at, k in enumerate(active) if mode.rubbed[k] == "stick"]
         self.names += [Guard("release", i, system.constraints[i].name) for i, _ in self.presses]
         self.names += [Guard("break", k, system.rubs[k].name) for k, _ in self.sticks]
-        self.strong, self.most = self._strengths(begun) if self.presses or self.sticks else (0.0, [])
+        self.trifles: list[float] = []
+        self.most: list[float] = []
+        if self.presses or self.sticks:
+            self._measure(begun, held, active)
 
     def values(self, time: float, y: State) -> list[float]:
         """All guards in a state, in the order of `names`."""
@@ -149,10 +154,14 @@ class Guards:
         active = [k for k, s in enumerate(rubbed) if s != "off"]
         together = next(own for _, own in self.system.clusters(time, y, held, active) if number in own)
         found = {k: way for k in together if isinstance(way := rubbed[k], tuple)}
-        for k, at in self.sticks:
+        for n, (k, at) in enumerate(self.sticks):
             z, most = forces.multipliers[at], items[at].static * normal_force(items, forces, at)
             size = float(np.linalg.norm(z))
-            if k == number or (k in together and size >= (1.0 - EXHAUSTED) * most and size > self.strong):
+            if k == number or (
+                k in together
+                and size >= (1.0 - EXHAUSTED) * most
+                and size > self.trifles[len(self.presses) + n]
+            ):
                 found[k] = tuple((-z / (size or 1.0)).tolist())
         return found
 
@@ -203,20 +212,46 @@ class Guards:
         if not (self.presses or self.sticks):
             return []
         items, forces, _ = self.system.held(time, y, self.since, self.mode)
-        found = [float(forces.multipliers[at][0]) + self.strong for _, at in self.presses]
-        for _, at in self.sticks:
+        found = [
+            float(forces.multipliers[at][0]) + trifle
+            for (_, at), trifle in zip(self.presses, self.trifles, strict=False)
+        ]
+        for (_, at), trifle in zip(self.sticks, self.trifles[len(found) :], strict=True):
             most = items[at].static * normal_force(items, forces, at)
             # Squares are as smooth as the forces; the sign of the normal force is not to be lost in one.
             margin = math.copysign(most * most, most) - float(forces.multipliers[at] @ forces.multipliers[at])
-            found.append(margin + self.strong**2)
+            found.append(margin + trifle**2)
         return found
 
-    def _strengths(self, time: float) -> tuple[float, list[float]]:
-        """A force (N) too small to decide anything; and the squares (N^2) of what each that sticks can hold, as the mode begins."""
+    def _measure(self, time: float, held: Sequence[int], active: Sequence[int]) -> None:
+        """As the mode begins: forces (N) too small to decide about what presses and sticks, and the squares (N^2) of what each that sticks can hold.
+
+        They are a part of what holds it and of what acts on its own bodies, and of what rounding leaves of all that it holds together with.
+        """
         items, found, gained = self.system.held(time, self.since, self.since, self.mode)
-        most = [(items[at].static * normal_force(items, found, at)) ** 2 for _, at in self.sticks]
-        inverse = self.system.inverse(time)
-        strong = max((float(np.abs(z).max(initial=0.0)) for z in found.multipliers), default=0.0)
-        strong = max([strong, *(item.given * item.static for item in items)])
-        heavy = [abs(g) / w for g, w in zip(gained, inverse.tolist(), strict=True) if w]
-        return 1e-9 * max([strong, *heavy, 1e-300]), most
+        limits = [
+            item.static * normal_force(items, found, at) if item.rub else 0.0 for at, item in enumerate(items)
+        ]
+        strong = [
+            max(float(np.abs(z).max(initial=0.0)), limit)
+            for z, limit in zip(found.multipliers, limits, strict=True)
+        ]
+        pulls = [
+            abs(g) / w if w else 0.0 for g, w in zip(gained, self.system.inverse(time).tolist(), strict=True)
+        ]
+        own = [
+            max(
+                force,
+                *(pull for pull, moves in zip(pulls, np.abs(item.rows).max(axis=0), strict=True) if moves),
+                0.0,
+            )
+            for item, force in zip(items, strong, strict=True)
+        ]
+        together = [0.0] * len(items)
+        for constraints, rubs in self.system.clusters(time, self.since, held, active):
+            group = [held.index(i) for i in constraints] + [len(held) + active.index(k) for k in rubs]
+            for at in group:
+                together[at] = max(own[each] for each in group)
+        for _, at in (*self.presses, *self.sticks):
+            self.trifles.append(max(TRIFLE * own[at], ROUNDED * together[at], 1e-300))
+        self.most = [limits[at] ** 2 for _, at in self.sticks]

@@ -8,10 +8,14 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from corollary.scenes.motion.complementarity import Item, Status, answer, redirected, settled
+from corollary.scenes.motion.complementarity import consistent
+from corollary.scenes.motion.hits import settle_hits
+from corollary.scenes.motion.multipliers import Item, Status, answer
+from corollary.scenes.motion.onset import beginning
 from corollary.scenes.motion.path import Doubt
-from corollary.scenes.motion.projection import project, same_twice
+from corollary.scenes.motion.projection import project, push_out, same_twice
 from corollary.scenes.motion.reversal import left_over
+from corollary.scenes.motion.rivals import rivals
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
 from corollary.scenes.motion.ties import crowded, tied
@@ -50,8 +54,10 @@ class Moment:
         if self.before is not None:
             # What has been held until now, steps have left a little off.
             project(self.system, self.time, self.y, *held_in(self.before))
-        self._push_out()
-        self._settle_hits()
+        push_out(self.system, self.time, self.y, self._near())
+        if crowded(self.system, self.time, self.y, self.sizes):
+            self.doubts.add("crowd")
+        self.hits += settle_hits(self.system, self.time, self.y, self._near(), self.sizes.speed)
         mode = self._at_rest(touching, sides) or self._settle_forces(touching, sides)
         resting: set[int] = set()
         for _ in range(len(self.system.constraints) + 1):
@@ -68,17 +74,13 @@ class Moment:
                 project(self.system, self.time, self.y, held_in(mode)[0], [k], extra)
         return mode
 
-    def _push_out(self) -> None:
-        """Places that rounding left a little behind what stops them are put upon it."""
-        inverse, count = self.system.inverse(self.time), self.system.count
-        for i in self._near():
-            c = self.system.constraints[i]
-            if (gap := c.gap(self.time, self.y)) < 0.0 and not c.two_sided:
-                row = np.array(c.row(self.time, self.y))
-                row[count:] = 0.0
-                moved = inverse * row * (gap / float((row * inverse) @ row))
-                for j, x in enumerate(moved.tolist()[:count]):
-                    self.y[j] -= x
+    def _resting(self) -> list[int]:
+        """The constraints that could hold: closed, and not opening."""
+        return [
+            i
+            for i in self._near()
+            if self.system.constraints[i].two_sided or self._rate(i) <= self.sizes.speed
+        ]
 
     def _near(self) -> list[int]:
         """The constraints whose gap is closed, as far as the places tell, which may have got far from where they began."""
@@ -89,50 +91,20 @@ class Moment:
     def _rate(self, i: int) -> float:
         return self.system.rate(self.time, self.y, self.system.constraints[i])
 
-    def _settle_hits(self) -> None:
-        system, inverse = self.system, self.system.inverse(self.time)
-        if crowded(system, self.time, self.y, self.sizes):
-            self.doubts.add("crowd")
-        for group, _ in system.clusters(self.time, self.y, self._near(), []):
-            rates = {i: self._rate(i) for i in group}
-            hit = [i for i in group if rates[i] < -self.sizes.speed and not system.constraints[i].two_sided]
-            if not hit:
-                continue
-            self.hits += len(hit)
-            # What opens already is not pressed, but must not be driven in either.
-            items: list[Item] = []
-            for i in group:
-                c, rate = system.constraints[i], rates[i]
-                row = np.array([c.row(self.time, self.y)])
-                bias = rate * (1.0 + c.restitution) if rate < 0.0 and not c.two_sided else rate
-                may: tuple[Status, ...] = ("on",) if c.two_sided else ("on", "off")
-                items.append(Item(c.name, row, np.array([bias]), may, two_sided=c.two_sided))
-            for k, rub in enumerate(system.rubs):
-                if system.pressed[k] in group:
-                    rows = np.array(rub.rows(self.time, self.y))
-                    slip = np.array(system.slip(self.time, self.y, k))
-                    ways: tuple[Status, ...] = ("stick", (1.0,), (-1.0,), "off")
-                    rubs = Item(rub.name, rows, slip, ways, rub=True, pressed=group.index(system.pressed[k]))
-                    rubs.kinetic = rubs.static = rub.kinetic
-                    items.append(rubs)
-            statuses = settled(items, inverse, f"at {self.time:.6g} s")
-            change = inverse * answer(items, statuses, inverse).total
-            for j, v in enumerate(change.tolist(), start=system.count):
-                self.y[j] += v
-
     def _settle_forces(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode:
         system, sizes = self.system, self.sizes
         held: list[Status] = ["off"] * len(system.constraints)
         rubbed: list[Status] = ["off"] * len(system.rubs)
-        resting = [i for i in self._near() if system.constraints[i].two_sided or self._rate(i) <= sizes.speed]
+        resting = self._resting()
         gains = np.array(system.gains(self.time, self.y, self.y, touching))
         rubbing = [
             k
             for k, rub in enumerate(system.rubs)
             if (self._presses(k, touching) if rub.normal else system.pressed[k] in resting)
         ]
+        known: list[tuple[list[int], list[int], Sequence[Item]]] = []
         for group, rubs in system.clusters(self.time, self.y, resting, rubbing):
-            self._settle_group(group, rubs, gains, held, rubbed)
+            known.append((group, rubs, self._settle_group(group, rubs, gains, held, rubbed)))
             if self.looks_ahead and same_twice(
                 system, self.time, self.y, [i for i in group if held[i] == "on"]
             ):
@@ -142,11 +114,40 @@ class Moment:
                     held[i] = later.held[i]
                 for k in rubs:
                     rubbed[k] = later.rubbed[k]
+        mode = Mode(tuple(held), tuple(rubbed), tuple(touching), tuple(sides))
+        if self.looks_ahead:
+            for group, rubs, items in known:
+                mode = self._chosen(group, rubs, items, mode)
         creeps = tuple(
             0.1 * sizes.rests[k] if isinstance(s, tuple) and len(s) == 2 and self._creeps(k) else 0.0
-            for k, s in enumerate(rubbed)
+            for k, s in enumerate(mode.rubbed)
         )
-        return Mode(tuple(held), tuple(rubbed), tuple(touching), tuple(sides), creeps if any(creeps) else ())
+        return replace(mode, creeps=creeps) if any(creeps) else mode
+
+    def _chosen(self, group: Sequence[int], rubs: Sequence[int], items: Sequence[Item], mode: Mode) -> Mode:
+        """The mode; where several motions are open and last, the one this run goes by."""
+        system = self.system
+
+        def taking(statuses: Sequence[Status]) -> Mode:
+            held, rubbed = list(mode.held), list(mode.rubbed)
+            _put(statuses, group, held, rubs, rubbed)
+            return replace(mode, held=tuple(held), rubbed=tuple(rubbed))
+
+        def lasts(statuses: Sequence[Status]) -> bool:
+            later = self._ahead(taking(statuses))
+            resting = later._resting()
+            if any(status == "on" and i not in resting for i, status in zip(group, statuses, strict=False)):
+                return False
+            gains = np.array(system.gains(later.time, later.y, later.y, mode.touching))
+            items, inverse = later._items(group, rubs, gains), system.inverse(later.time)
+            return consistent(items, statuses, answer(items, statuses, inverse), inverse)
+
+        first: tuple[Status, ...] = (*(mode.held[i] for i in group), *(mode.rubbed[k] for k in rubs))
+        open_ = rivals(items, first, system.inverse(self.time), lasts)
+        if open_ is None:
+            return mode
+        self.doubts.add("rival")
+        return mode if system.rival is None else taking(open_[system.rival])
 
     def _ahead(self, mode: Mode) -> Moment:
         """The moment a little later, as it would come to be in a mode."""
@@ -204,9 +205,19 @@ class Moment:
         gains: Array,
         held: list[Status],
         rubbed: list[Status],
-    ) -> None:
-        system, inverse = self.system, self.system.inverse(self.time)
-        items: list[Item] = []
+    ) -> Sequence[Item]:
+        inverse, items = self.system.inverse(self.time), self._items(group, rubs, gains)
+        where = f"at {self.time:.6g} s"
+        rests = [False] * len(group) + [self._creeps(k) or k == self.stopped for k in rubs]
+        items, statuses = beginning(items, rests, inverse, where)
+        if tied(items, statuses, inverse, self.sizes.tie):
+            self.doubts.add("tie")
+        _put(statuses, group, held, rubs, rubbed)
+        return items
+
+    def _items(self, group: Sequence[int], rubs: Sequence[int], gains: Array) -> list[Item]:
+        """What could hold or rub, with what it may do."""
+        system, items = self.system, list[Item]()
         for i in group:
             c = system.constraints[i]
             row = np.array([c.row(self.time, self.y)])
@@ -219,25 +230,7 @@ class Moment:
             item = system.rub_item(self.time, self.y, gains, k, (), pressed)
             item.may = self._ways(k, item) + (("off",) if pressed >= 0 else ())
             items.append(item)
-        where = f"at {self.time:.6g} s"
-        try:
-            statuses = settled(items, inverse, where)
-        except GuardFailed:  # what holds a body pulls it another way than what acts on it alone
-            items = redirected(items, inverse)
-            statuses = settled(items, inverse, where)
-        for _ in range(50):
-            turned = self._turned(items, statuses, inverse)
-            if turned is None:
-                break
-            items, statuses = turned, settled(turned, inverse, where)
-        else:
-            raise GuardFailed(f"{where}: no direction in which {items[-1].name} begins to slip was found.")
-        if tied(items, statuses, inverse, self.sizes.tie):
-            self.doubts.add("tie")
-        for i, status in zip(group, statuses, strict=False):
-            held[i] = status
-        for k, status in zip(rubs, statuses[len(group) :], strict=True):
-            rubbed[k] = status
+        return items
 
     def _ways(self, k: int, item: Item) -> tuple[Status, ...]:
         """How a rub may go on: as it slips, or, where it does not slip, held or beginning to slip."""
@@ -251,21 +244,6 @@ class Moment:
             return "stick", (1.0,), (-1.0,)
         pull = math.hypot(*item.bias)
         return ("stick", tuple(float(b) / pull for b in item.bias)) if pull else ("stick",)
-
-    def _turned(self, items: Sequence[Item], statuses: Sequence[Status], inverse: Array) -> list[Item] | None:
-        """Where a slip of two components begins from rest: the direction the body really takes, until it no longer changes."""
-        found, changed, turned = answer(items, statuses, inverse), False, list(items)
-        for j, (item, status) in enumerate(zip(items, statuses, strict=True)):
-            if isinstance(status, tuple) and len(status) == 2 and len(item.may) > 1:
-                way = found.left[j]
-                size = float(np.linalg.norm(way))
-                # Where friction all but balances the pull, what is left points nowhere.
-                brakes = item.kinetic * item.given * float(np.abs(item.rows * inverse).max())
-                pulls = size > 1e-6 * max(float(np.linalg.norm(item.bias)), brakes)
-                if pulls and float(np.abs(way / size - np.array(status)).max()) > 1e-9:
-                    may: tuple[Status, ...] = ("stick", tuple((way / size).tolist()))
-                    turned[j], changed = replace(item, may=may), True
-        return turned if changed else None
 
     def _small_bounces(self, mode: Mode) -> list[int]:
         """Constraints that open so slowly under what presses them that their bounces are lower than is looked at: they rest.
@@ -289,6 +267,20 @@ class Moment:
                 self.dropped = max(self.dropped, rate)
                 self.lasts = max(self.lasts, -2.0 * rate / pulled / (1.0 - c.restitution))
         return slow
+
+
+def _put(
+    statuses: Sequence[Status],
+    group: Sequence[int],
+    held: list[Status],
+    rubs: Sequence[int],
+    rubbed: list[Status],
+) -> None:
+    """What a group of constraints, and then rubs, does goes into the lists of all."""
+    for i, status in zip(group, statuses, strict=False):
+        held[i] = status
+    for k, status in zip(rubs, statuses[len(group) :], strict=True):
+        rubbed[k] = status
 
 
 def held_in(mode: Mode) -> tuple[list[int], list[int]]:

@@ -115,8 +115,8 @@ class Turn:
     inward: bool
 
 
-Doubt = Literal["graze", "crowd", "tie"]
-"""A touch may be missed; of several hits another may be first; friction may hold or not."""
+Doubt = Literal["graze", "crowd", "tie", "rival"]
+"""A touch may be missed; of several hits another may be first; friction may hold or not; the laws leave several motions open."""
 
 
 @dataclass(slots=True)

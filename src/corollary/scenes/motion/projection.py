@@ -40,6 +40,19 @@ def project(
             y[j] -= v
 
 
+def push_out(system: System, time: float, y: list[float], near: Sequence[int]) -> None:
+    """Places that rounding left a little behind what stops them, of what is `near`, are put upon it."""
+    inverse, count = system.inverse(time), system.count
+    for i in near:
+        c = system.constraints[i]
+        if (gap := c.gap(time, y)) < 0.0 and not c.two_sided:
+            row = np.array(c.row(time, y))
+            row[count:] = 0.0
+            moved = inverse * row * (gap / float((row * inverse) @ row))
+            for j, x in enumerate(moved.tolist()[:count]):
+                y[j] -= x
+
+
 def same_twice(system: System, time: float, y: State, pressed: Sequence[int]) -> bool:
     """Whether constraints hold the same motion: which of them goes on with it is decided by how they bend, once it has begun."""
     rows = np.array([system.constraints[i].row(time, y) for i in pressed])

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from corollary.scenes.body import nothing_moves
 from corollary.scenes.constraint import Constraint, Rub, State
-from corollary.scenes.motion.complementarity import Answer, Item, Status, answer
+from corollary.scenes.motion.multipliers import Answer, Item, Status, answer
 from corollary.scenes.refused import is_own
 from corollary.scenes.run import BadSetting, NoForce
 from corollary.scenes.scene import ContactForce, Scene, opposite
@@ -40,16 +40,16 @@ class System:
     """A scene taken apart once: its constraints, rubs, contacts and events in lists, so that a mode can name them by number.
 
     There are `count` places, and as many velocities; `always` are the forces that need no touch, `heavy` the masses (kg) at the start.
-    Two bodies that nothing moves have no contact, though they may rub.
+    Two bodies that nothing moves have no contact, though they may rub. `rival`: which of two motions open is taken.
     """
 
     def __init__(self, scene: Scene) -> None:
-        self.scene, self.evaluations = scene, 0
-        self.count, self.heavy = scene.axes * len(scene.bodies), [body.mass for body in scene.bodies]
+        self.scene, self.count = scene, scene.axes * len(scene.bodies)
+        self.heavy, self.evaluations = [body.mass for body in scene.bodies], 0
+        self.rival: int | None = None
         self.constraints: list[Constraint] = []
         self.rubs: list[Rub] = []
-        self.pressed: list[int] = []
-        self.rub_contacts: list[int] = []
+        self.pressed, self.rub_contacts = list[int](), list[int]()
         self.always = [force for force in scene.forces if not isinstance(force, ContactForce)]
         bodies, touches = scene.bodies, [(f, a, b) for f in scene.contacts for a, b in f.serves(scene)]
         self.contacts = [(f, a, b) for f, a, b in touches if not nothing_moves(bodies[a], bodies[b])]
@@ -294,7 +294,7 @@ class System:
             if single is not None and self._held_by_one(time, y, single, gained):
                 return gained
             items = self.items(time, y, gained, mode)
-            found = answer(items, [item.may[0] for item in items], self.inverse(time))
+            found = answer(items, [item.may[0] for item in items], self.inverse(time), fair=False)
             return (np.asarray(gained) + self.inverse(time) * found.total).tolist()
 
         return rates

@@ -8,7 +8,8 @@ from dataclasses import replace
 from typing import TypeVar
 
 from corollary.scenes.constraint import Rub, State, farther_off
-from corollary.scenes.motion.complementarity import Item, Status, settled
+from corollary.scenes.motion.complementarity import settled
+from corollary.scenes.motion.multipliers import Item, Status
 from corollary.scenes.motion.path import Doubt, Trajectory
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, System
@@ -19,6 +20,8 @@ SENTENCES: dict[Doubt, str] = {
     "graze": "a touch grazes soon after {:.6g} s: whether it happens is within the error, and in the errors stated",
     "crowd": "at {:.6g} s a body is hit from several sides all but at once: which hit is first is in the errors stated",
     "tie": "friction soon after {:.6g} s can hold as much as it must, but for errors: whether it does is in the errors stated",
+    "rival": "at {:.6g} s what carries a body decides how much friction can hold, and the laws of rigid bodies leave it open: the errors "
+    "stated span another motion that obeys them",
 }
 
 Rubbing = TypeVar("Rubbing", Item, Rub)
@@ -30,13 +33,15 @@ def leaned(each: Rubbing, share: float) -> Rubbing:
 
 
 def shift_all(system: System, shift: float, tie: float) -> None:
-    """Let every touch happen so much (m) later and friction hold more than what is `tied` with it; or earlier and less, if negative.
+    """Let every touch happen so much (m) later and friction hold more than what is `tied` with it; or earlier and less, if negative,
+    and take the one or the other of two motions most unlike where laws leave it open.
 
     The first wall is shifted by that, the second by twice as much, and so on: hits all but at one moment come in this order or the other.
     """
     start = start_of(system.scene)
     system.constraints = [farther_off(c, start, i * shift) for i, c in enumerate(system.constraints, 1)]
     system.rubs = [leaned(rub, math.copysign(2.0 * tie, shift)) for rub in system.rubs]
+    system.rival = 0 if shift > 0.0 else 1
 
 
 def tied(items: Sequence[Item], statuses: Sequence[Status], inverse: Array, share: float) -> bool:
