@@ -6,6 +6,10 @@ import math
 from dataclasses import dataclass
 
 
+# So small a cosine of the angle between two vectors is what rounding leaves of none.
+ACROSS = 4.5e-16
+
+
 @dataclass(frozen=True, slots=True)
 class Body:
     """SI; `place` and `velocity` are tuples of one or two components. A body of infinite mass is a wall: it keeps its velocity.
@@ -28,6 +32,12 @@ class Body:
         if self.inertia is not None:
             return self.inertia
         return 0.4 * self.mass * self.radius**2 if self.radius > 0.0 else math.inf
+
+
+def starts_across(body: Body) -> bool:
+    """Whether a body starts at rest, or across the way to the origin, but for rounding: its distance turns there."""
+    along = sum(x * v for x, v in zip(body.place, body.velocity, strict=True))
+    return abs(along) <= ACROSS * math.hypot(*body.place) * math.hypot(*body.velocity)
 
 
 def nothing_moves(first: Body, second: Body) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from corollary.scenes.body import starts_across
 from corollary.scenes.motion.system import System
 from corollary.scenes.scene import Body, Scene, overlap, pairs, start_of
 
@@ -16,7 +17,8 @@ def perturbed(scene: Scene) -> Scene:
     """The same with masses, velocities and spins changed by about CHANGED of themselves, each in its own way.
 
     What nothing touches starts from another place, too, by CHANGED of the size of the scene: neither the fall of a ball from rest nor
-    the way of one that flies along an axis would feel any of the others. What starts from rest stays at rest.
+    the way of one that flies along an axis would feel any of the others. What starts from rest stays at rest, and
+    a first body that starts across the way to the origin starts across it: its distance turns there.
     """
 
     def share(i: int) -> float:
@@ -34,6 +36,9 @@ def perturbed(scene: Scene) -> Scene:
         if i not in touched:
             place = tuple(x + share(3 * i + j) * long for j, x in enumerate(place))
         velocity = tuple(v * (1.0 + share(3 * i + j)) for j, v in enumerate(body.velocity))
+        if i == 0 and any(body.place) and starts_across(body):
+            along = sum(x * v for x, v in zip(place, velocity, strict=True)) / math.fsum(x * x for x in place)
+            velocity = tuple(v - along * x for x, v in zip(place, velocity, strict=True))
         bodies.append(
             replace(
                 body,

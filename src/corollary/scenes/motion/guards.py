@@ -12,7 +12,7 @@ import numpy as np
 from corollary.scenes.constraint import State
 from corollary.scenes.integrate.contact_motion import NEAREST
 from corollary.scenes.motion.isolation import minima
-from corollary.scenes.motion.multipliers import normal_force
+from corollary.scenes.motion.multipliers import Item, normal_force
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
@@ -226,26 +226,17 @@ class Guards:
     def _measure(self, time: float, held: Sequence[int], active: Sequence[int]) -> None:
         """As the mode begins: forces (N) too small to decide about what presses and sticks, and the squares (N^2) of what each that sticks can hold.
 
-        They are a part of what holds it and of what acts on its own bodies, and of what rounding leaves of all that it holds together with.
+        They are a part of what each holds, can hold, or would have to if it were alone, and of what rounding leaves of all that it holds
+        together with.
         """
-        items, found, gained = self.system.held(time, self.since, self.since, self.mode)
+        items, found, _ = self.system.held(time, self.since, self.since, self.mode)
+        inverse = self.system.inverse(time)
         limits = [
             item.static * normal_force(items, found, at) if item.rub else 0.0 for at, item in enumerate(items)
         ]
-        strong = [
-            max(float(np.abs(z).max(initial=0.0)), limit)
-            for z, limit in zip(found.multipliers, limits, strict=True)
-        ]
-        pulls = [
-            abs(g) / w if w else 0.0 for g, w in zip(gained, self.system.inverse(time).tolist(), strict=True)
-        ]
         own = [
-            max(
-                force,
-                *(pull for pull, moves in zip(pulls, np.abs(item.rows).max(axis=0), strict=True) if moves),
-                0.0,
-            )
-            for item, force in zip(items, strong, strict=True)
+            max(limit, float(np.abs(z).max()), *_alone(item, inverse))
+            for item, z, limit in zip(items, found.multipliers, limits, strict=True)
         ]
         together = [0.0] * len(items)
         for constraints, rubs in self.system.clusters(time, self.since, held, active):
@@ -255,3 +246,9 @@ class Guards:
         for _, at in (*self.presses, *self.sticks):
             self.trifles.append(max(TRIFLE * own[at], ROUNDED * together[at], 1e-300))
         self.most = [limits[at] ** 2 for _, at in self.sticks]
+
+
+def _alone(item: Item, inverse: Array) -> list[float]:
+    """The forces (N) with which an item would hold what pulls at it, each row if nothing else held."""
+    resists = np.square(item.rows) @ inverse
+    return [abs(float(b)) / float(r) for b, r in zip(item.bias, resists, strict=True) if r > 0.0]

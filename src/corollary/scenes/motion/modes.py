@@ -241,7 +241,10 @@ class Moment:
         if k in self.barred_rubs:
             return (self.barred_rubs[k],)
         if len(slip) == 1:
-            return "stick", (1.0,), (-1.0,)
+            begun = self.before.rubbed[k] if self.before is not None else "stick"
+            # What has just begun to slip does so until it is seen to stop.
+            goes_on = isinstance(begun, tuple) and k != self.stopped and slip[0] * begun[0] > 0.0
+            return (begun,) if goes_on else ("stick", (1.0,), (-1.0,))
         pull = math.hypot(*item.bias)
         return ("stick", tuple(float(b) / pull for b in item.bias)) if pull else ("stick",)
 

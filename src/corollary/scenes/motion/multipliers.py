@@ -137,7 +137,7 @@ def _shared(
         strongest = max(most.values(), default=0.0) or 1.0
         shares = np.sqrt([max(most[i], 0.0) / strongest for i in holders])
         # What is left when the rigid have held all they can.
-        held, pull = (x - ways @ (ways.T @ x) for x in (rubbed * shares, wanted))
+        held, pull = (_left(x, ways) for x in (rubbed * shares, wanted))
         solved[rubs] = shares * np.linalg.lstsq(held, pull, rcond=RANK)[0]
         solved[~rubs] = np.linalg.lstsq(rigid, wanted - rubbed @ solved[rubs], rcond=RANK)[0]
         pressed = {i: items[i].pressed for i in holders if items[i].pressed >= 0}
@@ -152,6 +152,13 @@ def _shared(
     free = ways[sizes <= RANK * sizes.max()].T
     own = {i: [n for n, owner in enumerate(owners) if owner == i] for i in holders}
     return evenly(solved, free, [(own[i], most[i]) for i in own]) if free.size else solved
+
+
+def _left(taken: Array, ways: Array) -> Array:
+    """What is left of it across all ways; rounding is nothing."""
+    left = taken - ways @ (ways.T @ taken)
+    left[np.abs(left) <= RANK * np.abs(taken).max(initial=0.0)] = 0.0
+    return left
 
 
 def normal_force(items: Sequence[Item], found: Answer, i: int) -> float:

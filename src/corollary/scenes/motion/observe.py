@@ -53,7 +53,7 @@ def _at_rest(scene: Scene, path: Trajectory) -> bool:
     held = any(s in ("on", "stick") for s in (*path.mode.held, *path.mode.rubbed))
     loose = [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]
     count = scene.axes * len(scene.bodies)
-    fast = max((abs(v) for stretch in path.stretches for v in stretch.before[count:]), default=1.0)
+    fast = max([path.fast, *(abs(v) for stretch in path.stretches for v in stretch.before[count:])])
     return (
         held
         and bool(loose)

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from corollary.scenes.body import starts_across
 from corollary.scenes.motion.isolation import POINTS, certainly_positive, coefficients, first_fall, root_of
 from corollary.scenes.motion.path import Stretch, Trajectory, Turn
 from corollary.scenes.scene import Scene, place, velocity
@@ -30,8 +31,9 @@ def _turns(scene: Scene, path: Trajectory) -> list[Turn]:
     last = 0.0
     for stretch in path.stretches:
         begin = _outward(scene, stretch.before)
-        if last * begin < 0.0 or (begin == 0.0 and not found and stretch is path.stretches[0]):
-            first = _outward(scene, stretch.at(0.5)) > 0.0 if begin == 0.0 else begin > 0.0
+        turns_there = stretch is path.stretches[0] and starts_across(scene.bodies[0])
+        if last * begin < 0.0 or turns_there:
+            first = _outward(scene, stretch.at(0.5)) > 0.0 if turns_there else begin > 0.0
             found.append(Turn(stretch.begin, math.hypot(*place(scene, stretch.before, 0)), first))
         found += _inside(scene, stretch)
         last = _outward(scene, stretch.after)
