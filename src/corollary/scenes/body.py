@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-
 # So small a cosine of the angle between two vectors is what rounding leaves of none.
 ACROSS = 4.5e-16
 

@@ -26,6 +26,7 @@ from corollary.scenes.run import (
     Observable,
     Observed,
     Run,
+    TooCoarse,
     components,
 )
 from corollary.scenes.scene import Scene, place, start_of, velocity
@@ -35,6 +36,7 @@ SAFETY = 1.5
 FEWER = 0.65
 """Of the steps allowed the coarser run may take such a part: the finer, of order eight, takes 20^(1/8) times more, and is not to be begun in vain."""
 FINEST = 2e-14
+TIGHTER = 1e-2
 BY_TOUCH = 10.0
 """So many times what a step may be off is what a slight touch, or the root that a parting ends in, has cost: by benchmarks/calibration.py."""
 BY_BODY = {Observable.VELOCITIES, Observable.TRAJECTORY, Observable.IMPULSE}
@@ -43,9 +45,18 @@ CHAOTIC = 1e6
 
 
 @lru_cache(maxsize=8)
-def _paths(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, Trajectory | None]:
-    """A coarser run, a finer one, and a coarser one of slightly other data; none if that cannot be followed."""
+def _paths(scene: Scene, tolerance: float) -> tuple[float, Trajectory, Trajectory, Trajectory | None]:
+    """The tolerance that is fine enough, a coarser run, a finer one, and a coarser one of slightly other data; none if that cannot be followed."""
     tolerance = min(tolerance, COARSEST)
+    try:
+        return tolerance, *_followed(scene, tolerance)
+    except TooCoarse:
+        if tolerance * TIGHTER < FINER * FINEST:
+            raise
+    return _paths(scene, tolerance * TIGHTER)
+
+
+def _followed(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, Trajectory | None]:
     fine = max(tolerance / FINER, FINEST)
     with part(0.0, 0.25):
         rough = follow(scene, max(tolerance, FINER * FINEST), share=FEWER)
@@ -61,10 +72,8 @@ def _paths(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, Traj
 
 @lru_cache(maxsize=8)
 def _grazing(scene: Scene, tolerance: float) -> tuple[Trajectory | None, ...]:
-    """Where errors decide whether there is a touch, or friction holds: the same with touches a little later and friction a little stronger,
-    and the other way round.
-    """
-    rough, right, _ = _paths(scene, tolerance)
+    """Where errors decide: the same with touches a little later and friction a little stronger, and the other way round."""
+    tolerance, rough, right, _ = _paths(scene, tolerance)
     if not (rough.doubts or right.doubts):
         return ()
     found: list[Trajectory | None] = []
@@ -87,7 +96,7 @@ def measured(
     condition found by a third, and what is known of moments that are met slowly. Raises BadSetting for what a scene does not have,
     GuardFailed as `follow` does.
     """
-    rough, right, other = _paths(scene, tolerance)
+    tolerance, rough, right, other = _paths(scene, tolerance)
     shifted = _grazing(scene, tolerance)
     hot = hottest(scene, right)
     sizes = _natural(scene, right, hot)
@@ -238,10 +247,12 @@ def _shares(
 
     def spread(time: float | None) -> list[float]:
         first, second = (p.state if time is None else state_at(scene, p, time) for p in (rough, right))
+        # At a hit velocities jump, and places do not.
+        jumps = time is not None and rough.hits_before(time) != right.hits_before(time)
         return [
             max(
                 math.dist(place(scene, first, i), place(scene, second, i)) / long,
-                math.dist(velocity(scene, first, i), velocity(scene, second, i)) / fast,
+                0.0 if jumps else math.dist(velocity(scene, first, i), velocity(scene, second, i)) / fast,
             )
             for i in range(len(scene.bodies))
         ]

@@ -37,6 +37,10 @@ class GuardFailed(ArithmeticError):
     """A run that lost momentum or energy beyond what its accuracy allows; its numbers are not handed out."""
 
 
+class TooCoarse(GuardFailed):
+    """A run that may be followed with a finer tolerance, though it was not with this."""
+
+
 class NoForce(ArithmeticError):
     """A function of somebody's own has no value where it was asked; a step that only tries to go there is not taken."""
 

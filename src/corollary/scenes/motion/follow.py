@@ -19,7 +19,7 @@ from corollary.scenes.motion.steps import Stepper
 from corollary.scenes.motion.system import Mode, Slope, System
 from corollary.scenes.motion.ties import shift_all
 from corollary.scenes.progress import tell
-from corollary.scenes.run import BadSetting, GuardFailed, NoForce
+from corollary.scenes.run import BadSetting, GuardFailed, NoForce, TooCoarse
 from corollary.scenes.scene import Scene, overlap, start_of
 
 # What moves by errors of so many steps is at rest.
@@ -62,7 +62,7 @@ class Follower:
             mode = self._phase(mode)
             self.at_once = self.at_once + 1 if path.time - before <= 1e-14 * max(path.time, 1e-300) else 0
             if self.at_once > MOST_AT_ONCE:
-                raise GuardFailed(
+                raise TooCoarse(
                     f"{scene.name}: at {path.time:.6g} s things happen without end and no time passes."
                 )
         path.mode, path.evaluations, path.fades = mode, self.system.evaluations, self.steps.fades
@@ -208,7 +208,7 @@ class Follower:
         time, left = self.path.time, self._left()
         self.pace.met(time, self.steps.steps, speed if guard.kind in ("hit", "touch") else None)
         if left < math.inf and self.pace.hopeless(left, self.steps.left):
-            raise GuardFailed(
+            raise (TooCoarse if guard.kind in ("stop", "break") else GuardFailed)(
                 f"{self.scene.name}: at {time:.6g} s {guard.name} is the last of {MANY} things to happen within {self.pace.lasted:.2g} s, "
                 f"and nothing slows down: the end, {left:.3g} s ahead, is out of reach. Watch for a shorter time."
             )
@@ -273,7 +273,7 @@ class Follower:
             path.stretches
         )
         if abs(now - self.energy) > allowed * size:
-            raise GuardFailed(
+            raise TooCoarse(
                 f"{self.scene.name}: the energy changed by {(now - self.energy) / size:.1e} of itself; {allowed:.1e} is allowed."
             )
 

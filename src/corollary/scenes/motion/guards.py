@@ -97,7 +97,8 @@ class Guards:
     def nearest(self, values: Array) -> float:
         """How little (m) bodies that may hit or touch, sampled over a step, miss each other by, or reach into each other in passing.
 
-        Only turning points within the step count: a gap that has just opened, or is about to close, does not graze.
+        Only turning points within the step count: a gap that has just opened, or is about to close, does not graze; nor does one
+        between bodies that touch, which rounding alone bends.
         """
         chosen = [i for i, guard in enumerate(self.names) if guard.kind in ("hit", "touch")]
         if not chosen:
@@ -106,9 +107,10 @@ class Guards:
         for gaps in values[chosen]:
             if gaps.min() > 0.1 * np.ptp(gaps):
                 continue
-            for place, value in minima(gaps):
+            for _, value in minima(gaps):
                 # What has just been let go opens with no speed: that is no touch.
-                if place > 1e-3 or abs(value) > 4.0 * abs(self.sizes.blur + self.sizes.shift):
+                closed = abs(value) <= 4.0 * abs(self.sizes.blur + self.sizes.shift)
+                if gaps[0] - value > 4.0 * self.sizes.blur or (not closed and gaps[-1] > value):
                     least = min(least, abs(value))
         return least
 

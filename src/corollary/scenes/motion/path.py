@@ -155,6 +155,10 @@ class Trajectory:
         """Errors decide about something from a time (s) on."""
         self.doubts.setdefault(what, time)
 
+    def hits_before(self, time: float) -> int:
+        """How many hits there have been by a time (s)."""
+        return sum(each.what.startswith("hit") and each.time <= time for each in self.happenings)
+
     def ends(self) -> list[list[float]]:
         """The states at all ends of steps."""
         return [*(stretch.before for stretch in self.stretches), self.state]
