@@ -16,7 +16,16 @@ from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.spring import FADING, Spring, catching
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
-from corollary.scenes.run import STEPS, BadSetting, Observable, Observed, Run, by_relative_errors, components
+from corollary.scenes.run import (
+    STEPS,
+    BadSetting,
+    GuardFailed,
+    Observable,
+    Observed,
+    Run,
+    by_relative_errors,
+    components,
+)
 from corollary.scenes.scene import Body, Force, Scene
 
 
@@ -120,7 +129,12 @@ def ions(settings: Settings, tolerance: float) -> Run:
         )
         for bodies in ((a, b), (b, a))
     ]
-    nearest = math.fsum(components(run.observed["turning_points"])[0] for run in runs)
+    turned = [components(run.observed["turning_points"]) for run in runs]
+    if not all(turned):
+        raise GuardFailed(
+            f"ions: whether they near each other before they part is not told from {r0:g} m; begin farther away."
+        )
+    nearest = math.fsum(distances[0] for distances in turned)
     error = max(run.relative_error("turning_points") for run in runs) * max(
         1.0, *(run.measured["turning_points"].size / nearest for run in runs)
     )

@@ -26,7 +26,6 @@ from corollary.scenes.run import (
     Observable,
     Observed,
     Run,
-    TooCoarse,
     components,
 )
 from corollary.scenes.scene import Scene, place, start_of, velocity
@@ -50,8 +49,8 @@ def _paths(scene: Scene, tolerance: float) -> tuple[float, Trajectory, Trajector
     tolerance = min(tolerance, COARSEST)
     try:
         return tolerance, *_followed(scene, tolerance)
-    except TooCoarse:
-        if tolerance * TIGHTER < FINER * FINEST:
+    except GuardFailed as error:
+        if not error.finer or tolerance * TIGHTER < FINER * FINEST:
             raise
     return _paths(scene, tolerance * TIGHTER)
 

@@ -34,11 +34,14 @@ class BadSetting(ValueError):
 
 
 class GuardFailed(ArithmeticError):
-    """A run that lost momentum or energy beyond what its accuracy allows; its numbers are not handed out."""
+    """A run that lost momentum or energy beyond what its accuracy allows; its numbers are not handed out.
 
+    With `finer` it may be followed with a finer tolerance.
+    """
 
-class TooCoarse(GuardFailed):
-    """A run that may be followed with a finer tolerance, though it was not with this."""
+    def __init__(self, sentence: str, finer: bool = False) -> None:
+        super().__init__(sentence)
+        self.finer = finer
 
 
 class NoForce(ArithmeticError):

@@ -47,6 +47,11 @@ class Contact(ContactForce):
             raise BadSetting(
                 f"{scene.name}: Contact with mu = {self.mu:g} and static = {self.held_by:g}: the static one must not be the smaller."
             )
+        for a, b in self.serves(scene):
+            if scene.bodies[a].place == scene.bodies[b].place:
+                raise BadSetting(
+                    f"{scene.name}: bodies {a} and {b} start with their centres at one place, where a contact pushes to no side; move one."
+                )
         for a, b in self._held(scene) if scene.until is None else ():
             if max(overlap(scene, start_of(scene), a, b)) > 0.0:
                 raise BadSetting(

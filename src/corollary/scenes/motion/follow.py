@@ -19,7 +19,8 @@ from corollary.scenes.motion.steps import Stepper
 from corollary.scenes.motion.system import Mode, Slope, System
 from corollary.scenes.motion.ties import shift_all
 from corollary.scenes.progress import tell
-from corollary.scenes.run import BadSetting, GuardFailed, NoForce, TooCoarse
+from corollary.scenes.refused import is_own
+from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.scene import Scene, overlap, start_of
 
 # What moves by errors of so many steps is at rest.
@@ -45,8 +46,7 @@ class Follower:
         self.sizes = sizes_of(self.system, tolerance, shift)
         if shift:
             shift_all(self.system, shift, self.sizes.tie)
-        self.path.allowed = tolerance * self.sizes.place
-        self.path.near = self.sizes.doubt
+        self.path.allowed, self.path.near = tolerance * self.sizes.place, self.sizes.doubt
         self.path.fast, self.path.long = self.sizes.fast, self.sizes.long
         self.path.deep = self.sizes.deep if self.system.contacts else math.inf
         self.steps, self.pace = Stepper(self.system, self.sizes, tolerance, share), Pace()
@@ -62,8 +62,9 @@ class Follower:
             mode = self._phase(mode)
             self.at_once = self.at_once + 1 if path.time - before <= 1e-14 * max(path.time, 1e-300) else 0
             if self.at_once > MOST_AT_ONCE:
-                raise TooCoarse(
-                    f"{scene.name}: at {path.time:.6g} s things happen without end and no time passes."
+                raise GuardFailed(
+                    f"{scene.name}: at {path.time:.6g} s things happen without end and no time passes.",
+                    finer=True,
                 )
         path.mode, path.evaluations, path.fades = mode, self.system.evaluations, self.steps.fades
         if hit_in_doubt(self.system, path, mode, self.sizes.speed):
@@ -103,8 +104,7 @@ class Follower:
             if self.scene.until is not None and ends > self.scene.until:
                 path.dropped = max(path.dropped, moment.dropped)
         # Hits that cost energy are settled at once: what is watched is each stretch between them.
-        watched = keeps_energy(self.scene, mode)
-        self.energy = energy(self.scene, path.time, path.state) if watched else None
+        self.energy = energy(self.scene, path.time, path.state) if keeps_energy(self.scene, mode) else None
         return mode
 
     def _left(self) -> float:
@@ -132,8 +132,7 @@ class Follower:
         """Steps in one mode until something happens; the mode after it."""
         path, system = self.path, self.system
         begun, since = path.time, list(path.state)
-        guards = Guards(system, mode, since, begun, self.sizes)
-        slope = system.slope(mode, since, begun)
+        guards, slope = Guards(system, mode, since, begun, self.sizes), system.slope(mode, since, begun)
         solver = self.steps.solver(
             slope, since, self._left(), self.steps.first_step(mode, begun, since), mode
         )
@@ -161,8 +160,8 @@ class Follower:
             if over or self.steps.too_slow(self._left(), stretch.lasts):
                 return mode
             if self._drifted(mode):
-                moment = Moment(system, path.time, list(path.state), self.sizes, mode)
-                return self._decide(moment, mode.touching, mode.sides)
+                now = Moment(system, path.time, list(path.state), self.sizes, mode)
+                return self._decide(now, mode.touching, mode.sides)
 
     def _met(self, guards: Guards, stretch: Stretch, slope: Slope, index: int, part: float) -> Mode:
         """Go to where a guard falls, exactly: the step is taken again to end there; then what follows from it."""
@@ -208,9 +207,10 @@ class Follower:
         time, left = self.path.time, self._left()
         self.pace.met(time, self.steps.steps, speed if guard.kind in ("hit", "touch") else None)
         if left < math.inf and self.pace.hopeless(left, self.steps.left):
-            raise (TooCoarse if guard.kind in ("stop", "break") else GuardFailed)(
+            raise GuardFailed(
                 f"{self.scene.name}: at {time:.6g} s {guard.name} is the last of {MANY} things to happen within {self.pace.lasted:.2g} s, "
-                f"and nothing slows down: the end, {left:.3g} s ahead, is out of reach. Watch for a shorter time."
+                f"and nothing slows down: the end, {left:.3g} s ahead, is out of reach. Watch for a shorter time.",
+                finer=guard.kind in ("stop", "break"),
             )
 
     def _after(self, guards: Guards, index: int) -> Mode:
@@ -260,8 +260,7 @@ class Follower:
     def _add(self, stretch: Stretch) -> None:
         path = self.path
         path.stretches.append(stretch)
-        path.state = stretch.after
-        path.time = stretch.begin + stretch.lasts
+        path.state, path.time = stretch.after, stretch.begin + stretch.lasts
         if self.scene.until is not None:
             tell(min(path.time / self.scene.until, 1.0))
         if self.energy is None:
@@ -269,12 +268,13 @@ class Follower:
         now = energy(self.scene, path.time, path.state)
         light = min((b.mass for b in self.scene.bodies if not math.isinf(b.mass)), default=0.0)
         size = max(abs(self.energy), kinetic(self.scene, path.time, path.state), light * self.sizes.fast**2)
-        allowed = 1e4 * self.tolerance * max(1.0, self.sizes.place / self.sizes.deep) + 1e-13 * len(
-            path.stretches
-        )
+        allowed = 1e4 * self.tolerance * max(1.0, self.sizes.place / self.sizes.deep)
+        allowed += 1e-13 * len(path.stretches)
         if abs(now - self.energy) > allowed * size:
-            raise TooCoarse(
+            raise GuardFailed(
                 f"{self.scene.name}: the energy changed by {(now - self.energy) / size:.1e} of itself; {allowed:.1e} is allowed."
+                + " Or is a potential not that of its function?" * any(map(is_own, self.scene.forces)),
+                finer=True,
             )
 
 

@@ -109,8 +109,8 @@ class Guards:
                 continue
             for _, value in minima(gaps):
                 # What has just been let go opens with no speed: that is no touch.
-                closed = abs(value) <= 4.0 * abs(self.sizes.blur + self.sizes.shift)
-                if gaps[0] - value > 4.0 * self.sizes.blur or (not closed and gaps[-1] > value):
+                apart = abs(value) > 4.0 * abs(self.sizes.blur + self.sizes.shift)
+                if gaps[0] - value > 4.0 * self.sizes.blur or (apart and gaps[-1] > value):
                     least = min(least, abs(value))
         return least
 

@@ -154,10 +154,10 @@ def _shared(
     return evenly(solved, free, [(own[i], most[i]) for i in own]) if free.size else solved
 
 
-def _left(taken: Array, ways: Array) -> Array:
-    """What is left of it across all ways; rounding is nothing."""
-    left = taken - ways @ (ways.T @ taken)
-    left[np.abs(left) <= RANK * np.abs(taken).max(initial=0.0)] = 0.0
+def _left(columns: Array, ways: Array) -> Array:
+    """What is left of columns across all ways; rounding is nothing."""
+    left = columns - ways @ (ways.T @ columns)
+    left[np.abs(left) <= RANK * np.abs(columns).max(initial=0.0)] = 0.0
     return left
 
 

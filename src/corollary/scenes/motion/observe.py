@@ -116,6 +116,10 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
                 return distances[0], distances[0]
             return tuple(sorted({min(distances), max(distances)})) if distances else ()
         case Observable.PERIOD:
+            if path.stretches and flat(scene, path):
+                raise BadSetting(
+                    f"{scene.name}: the distance from the origin does not change, so it has no period."
+                )
             inner = _returns(scene, path)
             if len(inner) < 2:
                 raise BadSetting(

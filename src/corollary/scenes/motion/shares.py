@@ -79,9 +79,8 @@ def _polished(parts: Sequence[tuple[Array, Array]], c: Array) -> Array:
         step = np.linalg.lstsq(jacobian, off, rcond=1e-13)[0]
         c, top, weights = c - step[:ways], top - step[ways], weights - step[ways + 1 :]
         if weights.min() < 0.0:  # one that is not among the largest after all
-            kept = weights >= 0.0
-            active = [part for part, keep in zip(active, kept, strict=True) if keep]
-            weights = weights[kept]
+            active = [part for part, weight in zip(active, weights, strict=True) if weight >= 0.0]
+            weights = weights[weights >= 0.0]
         elif float(np.abs(step[:ways]).max()) <= 1e-15 * max(float(np.abs(c).max()), 1e-3):
             break
     return c
