@@ -51,9 +51,9 @@ def settled(items: Sequence[Item], inverse: Array, where: str) -> tuple[Status, 
     )
 
 
-def differ(one: Array, other: Array) -> bool:
-    """Whether two accelerations (or changes of velocity) are not the same but for errors."""
-    return float(np.abs(one - other).max()) > 1e-6 * float(max(np.abs(one).max(), np.abs(other).max()))
+def differ(one: Array, other: Array, share: float = 1e-6) -> bool:
+    """Whether two accelerations (or changes of velocity) are not the same but for a share of their size."""
+    return float(np.abs(one - other).max()) > share * float(max(np.abs(one).max(), np.abs(other).max()))
 
 
 def may_squeeze(items: Sequence[Item], statuses: Sequence[Status], inverse: Array) -> bool:

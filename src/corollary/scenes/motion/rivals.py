@@ -14,6 +14,8 @@ from corollary.scenes.motion.multipliers import Array, Item, Status, answer
 
 # Looking for another answer is not worth more trials than these.
 MOST_RIVALS = 700
+# By such a part of all that holds motions differ that are not the same: a slight push is held or not.
+ROUNDED = 1e-11
 
 Statuses = tuple[Status, ...]
 
@@ -35,7 +37,7 @@ def rivals(
         tried = answer(firm, other, inverse)
         moved = inverse * tried.total
         if (
-            all(differ(known, moved) for _, known in found)
+            all(differ(known, moved, ROUNDED) for _, known in found)
             and consistent(firm, other, tried, inverse)
             and not may_squeeze(firm, other, inverse)
             and consistent(items, other, answer(items, other, inverse), inverse)
