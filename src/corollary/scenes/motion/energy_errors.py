@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
@@ -58,11 +59,16 @@ def hottest(scene: Scene, path: Trajectory) -> float:
 def energy_lost(scene: Scene, path: Trajectory, hot: float) -> float:
     """What a run has lost or gained of an energy (J) that is kept, as a share of velocities: so much of them is wrong, at least.
 
-    Two runs may be off alike where a force is steep for a moment; what is kept does not depend on another run.
+    Two runs may be off alike where a force is steep for a moment; what is kept does not depend on another run. What is at rest is known
+    as well as rounding of its energy lets it be.
     """
     if not hot or not keeps_energy(scene):
         return 0.0
-    return abs(energy(scene, path.time, path.state) - energy(scene, 0.0, start_of(scene))) / (2.0 * hot)
+    start = start_of(scene)
+    lost = abs(energy(scene, path.time, path.state) - energy(scene, 0.0, start))
+    lost = max(lost - rounding_of_energy(scene, start) - rounding_of_energy(scene, path.state), 0.0)
+    light = min(b.mass for b in scene.bodies if not math.isinf(b.mass)) if lost else 1.0
+    return min(lost / (2.0 * hot), math.sqrt(2.0 * lost / light) / path.fast)
 
 
 def conserved(scene: Scene, path: Trajectory, why: str) -> Measurement:
