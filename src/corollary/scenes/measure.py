@@ -232,9 +232,12 @@ def _shares(
     """How far two runs are apart as a whole, body by body, in the unit of each number that is observed.
 
     The error of a single component may pass through zero between two tolerances; that of a body's place and velocity together does
-    not. For what is not a number of each body: the largest, in units of the sizes of the scene.
+    not. For what is not a number of each body: the largest, in units of the sizes of the scene. What fades for ever is given up at
+    other moments by both, and compared at the earlier one.
     """
     long, fast, axes = sizes[Observable.TRAJECTORY], sizes[Observable.VELOCITIES], scene.axes
+
+    ends = min(rough.time, right.time) if rough.settled and right.settled else None
 
     def spread(time: float | None) -> list[float]:
         first, second = (p.state if time is None else state_at(scene, p, time) for p in (rough, right))
@@ -248,14 +251,14 @@ def _shares(
 
     match what:
         case Observable.VELOCITIES:
-            return [each * fast for each in spread(None) for _ in range(axes)]
+            return [each * fast for each in spread(ends) for _ in range(axes)]
         case Observable.TRAJECTORY:
             return [each * long for time in times for each in spread(time) for _ in range(axes)]
         case Observable.IMPULSE:
-            loose = [(b.mass, s) for b, s in zip(scene.bodies, spread(None), strict=True)]
+            loose = [(b.mass, s) for b, s in zip(scene.bodies, spread(ends), strict=True)]
             return [m * s * fast for m, s in loose if not math.isinf(m) for _ in range(axes)]
         case _:
-            return [max(spread(None))]
+            return [max(spread(ends))]
 
 
 def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
