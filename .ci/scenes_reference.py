@@ -120,7 +120,7 @@ OBSERVED: dict[str, dict[str, str]] = {
         "momentum": "of the ball in flight, (level, up) (kg m/s)",
         "velocities_after_throw": "yours and your son's, toward your son (m/s)",
         "velocities": "the same after the catch (m/s)",
-        "peak_force": "the largest of the throw and of the dashpot that catches (N)",
+        "peak_force": "the largest of the throw, its upward part included, and of the dashpot that catches (N)",
     },
     "spheres": {
         "velocities": "(A x, A y, B x, B y) once they are apart (m/s)",
@@ -167,7 +167,7 @@ NOTES = {
     "chain": "The links are picked up one by one; N does not come out in the values, which are sums and means over all of them.",
     "cradle": "`masses` has N numbers, `gaps` N - 1: between all neighbours, those that come in together included.",
     "railway_car": "Shovels of sand are brought to the car's speed one by one; N does not come out in the values.",
-    "snowball": "A constant force throws, a dashpot catches; after dt the ball is held fast.",
+    "snowball": "A constant force throws, without weight; a dashpot along the ice catches; after dt the ball is held fast.",
     "spheres": "Damping acts against the whole relative velocity of the centres.",
     "super_ball": "With a gap the lower ball has left the floor before they meet; without one all touch at once.",
     "touching_spheres": "Damping acts against the whole relative velocity of the centres.",

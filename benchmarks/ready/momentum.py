@@ -171,7 +171,7 @@ def of_snowball(given: dict[str, Any], _: Run) -> Reference:
         "momentum": (level, up),
         "velocities_after_throw": (-level / you, mp.mpf(0)),
         "velocities": (-level / you, level / (ball + son)),
-        "peak_force": (max(level / dt, fade * v * turn.real),),
+        "peak_force": (max(ball * v / dt, fade * v * turn.real),),
     }
 
 

@@ -26,7 +26,8 @@ CASES = [
     ("kick", {"pulse": 3.0}, {"velocities", "impulse", "way", "peak_force"}),
     ("railway_car", {"ux": 1.0}, {"mean_force", "impulse", "work", "energy_lost"}),
     ("rocket", {"N": 100.0}, {"velocities"}),
-    ("snowball", {}, {"momentum", "velocities", "velocities_after_throw"}),
+    ("snowball", {}, {"momentum", "velocities", "velocities_after_throw", "peak_force"}),
+    ("snowball", {"Ms": 0.01, "theta": 1.0}, {"momentum", "velocities", "peak_force"}),
     (
         "spheres",
         {"eta": 0.0},

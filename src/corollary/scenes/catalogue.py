@@ -13,7 +13,7 @@ from corollary.messages import did_you_mean
 from corollary.scenes import library
 from corollary.scenes.definition import SceneDefinition, settle
 from corollary.scenes.independent import SECOND_WAYS
-from corollary.scenes.run import NEVER_PART, BadSetting, Observed, Run, components
+from corollary.scenes.run import BadSetting, Observed, Run, components
 from corollary.scenes.sound import refuse_tolerance
 
 
@@ -110,8 +110,4 @@ def _finite(scene: str, found: Run) -> Run:
         raise BadSetting(
             f"{scene}: with these settings numbers leave the range of a computer; choose milder ones."
         )
-    if found.outcome == "sticks" and "duration" in lost:
-        lost.remove("duration")
-        rest = found.only(name for name in found.measured if name != "duration")
-        found = replace(rest, warnings=(*found.warnings, NEVER_PART))
     return found.without(lost)

@@ -20,7 +20,7 @@ from corollary.scenes.models.certain import Balls, Evaluated, found, sign
 from corollary.scenes.models.pair import Pair, refuse_too_soft
 from corollary.scenes.models.two_bodies import collision
 from corollary.scenes.row import RowOfBodies
-from corollary.scenes.run import GuardFailed, Observable, Observed, Run, components
+from corollary.scenes.run import GuardFailed, Measurement, Observable, Observed, Run, components
 from corollary.scenes.scene import Scene
 
 OF_BODIES_ALONE = {Observable.IMPULSE, Observable.MOMENTUM, Observable.ENERGY}
@@ -44,6 +44,9 @@ def on_a_line(scene: Scene, observe: Collection[Observable], tolerance: float) -
         run = found(lambda: collision((a, b), (u, v), contact))
         depth = run.observed["largest_overlap"]
         _refuse_too_soft(scene, components(depth))
+        if run.outcome == "sticks":
+            endless = Measurement(math.inf, 0.0, "bound", run.model, run.why, math.inf)
+            run = replace(run, measured=run.measured | {Observable.DURATION.value: endless})
         return run.only(o.value for o in observe)
     result = collide(line, tolerance)
     _refuse_too_soft(scene, result.result.overlaps)

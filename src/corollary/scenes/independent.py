@@ -87,14 +87,16 @@ def snowball(settings: Settings, tolerance: float) -> Run:
     thrower = Body(ball, (1.0, 0.0), (0.0, 0.0)), Body(you, (0.0, 0.0), (0.0, 0.0))
     (level, rising, yours, _), _, error = _after(thrower, forces, dt, tolerance)
     a, b = Body(ball, (0.0,), (level,)), Body(son, (10.0 * v * dt + 1.0,), (0.0,))
-    (_, sons), _, more = _after((a, b), (catching(ball, son, dt),), dt, tolerance)
+    grip = catching(ball, son, dt)
+    (_, sons), _, more = _after((a, b), (grip,), dt, tolerance)
     observed: dict[str, Observed] = {
         "momentum": (ball * level, ball * rising),
         "velocities_after_throw": (yours, 0.0),
         "velocities": (yours, sons),
+        "peak_force": max(math.hypot(ball * level, ball * rising) / dt, grip.damping * level),
     }
     fastest = max(abs(level), abs(rising), abs(yours))
-    scales = {"velocities_after_throw": fastest, "velocities": fastest}
+    scales = {"velocities_after_throw": fastest, "velocities": fastest, "peak_force": grip.damping * fastest}
     return second_run(observed, max(error, more), scales=scales)
 
 

@@ -34,8 +34,7 @@ SAFETY = 1.5
 """What the difference of the two is multiplied with: it is the coarser run's error, the finer's is a tenth of it or less."""
 FEWER = 0.65
 """Of the steps allowed the coarser run may take such a part: the finer, of order eight, takes 20^(1/8) times more, and is not to be begun in vain."""
-FINEST = 2e-14
-TIGHTER = 1e-2
+FINEST, TIGHTER = 2e-14, 1e-2
 BY_TOUCH = 10.0
 """So many times what a step may be off is what a slight touch, or the root that a parting ends in, has cost: by benchmarks/calibration.py."""
 BY_BODY = {Observable.VELOCITIES, Observable.TRAJECTORY, Observable.IMPULSE}
@@ -118,7 +117,6 @@ def measured(
     # What the places and velocities are off that an energy is made of, as a part of theirs: by steps, and by rounding.
     rounded = 2.3e-16 * (4.0 + math.sqrt(len(right.stretches))) + 1e-14 * len(right.happenings)
     lost = energy_lost(scene, right, hot)
-    same = rough.order() == right.order()
     for what in [o for o in Observable if o in observe]:  # a set's order is another in every process
         value = look(scene, right, what, times)
         if not all(map(math.isfinite, components(value))):  # no double holds it
@@ -176,7 +174,7 @@ def measured(
         error: Observed = errors if isinstance(value, tuple) else errors[0]
         size = size or _unmet(right, what)
         found[what.value] = Measurement(value, error, "estimate", "integration", why, size, condition)
-    if not same and not right.rests:
+    if rough.order() != right.order() and not right.rests:
         warnings.append(
             "two runs of different accuracy differ in the order of what happens: contacts all but coincide"
         )
@@ -240,9 +238,12 @@ def _shares(
     """How far two runs are apart as a whole, body by body, in the unit of each number that is observed.
 
     The error of a single component may pass through zero between two tolerances; that of a body's place and velocity together does
-    not. For what is not a number of each body: the largest, in units of the sizes of the scene.
+    not. For what is not a number of each body: the largest, in units of the sizes of the scene. What fades for ever is given up at
+    other moments by both, and compared at the earlier one.
     """
     long, fast, axes = sizes[Observable.TRAJECTORY], sizes[Observable.VELOCITIES], scene.axes
+
+    ends = min(rough.time, right.time) if rough.settled and right.settled else None
 
     def spread(time: float | None) -> list[float]:
         first, second = (p.state if time is None else state_at(scene, p, time) for p in (rough, right))
@@ -258,14 +259,14 @@ def _shares(
 
     match what:
         case Observable.VELOCITIES:
-            return [each * fast for each in spread(None) for _ in range(axes)]
+            return [each * fast for each in spread(ends) for _ in range(axes)]
         case Observable.TRAJECTORY:
             return [each * long for time in times for each in spread(time) for _ in range(axes)]
         case Observable.IMPULSE:
-            loose = [(b.mass, s) for b, s in zip(scene.bodies, spread(None), strict=True)]
+            loose = [(b.mass, s) for b, s in zip(scene.bodies, spread(ends), strict=True)]
             return [m * s * fast for m, s in loose if not math.isinf(m) for _ in range(axes)]
         case _:
-            return [max(spread(None))]
+            return [max(spread(ends))]
 
 
 def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:

@@ -20,6 +20,7 @@ from corollary.scenes.motion.energy import (
     kinetic,
     momentum_at_start,
     never_meets,
+    refuse_rest,
     rounding_of_energy,
 )
 from corollary.scenes.refused import OWN_FAILS
@@ -186,7 +187,8 @@ def followed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
         raise BadSetting("a trajectory is looked up where the scene ends: say until=…")
     times = (scene.until,) if scene.until is not None else ()
     with _within_range(scene):
-        return measured(scene, {known[name] for name in observe}, tolerance, STEPS, times)
+        found = measured(scene, {known[name] for name in observe}, tolerance, STEPS, times)
+    return _within_doubles(scene, found)
 
 
 def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]) -> tuple[float, ...]:
@@ -243,6 +245,8 @@ def _refuse_question(
         raise BadSetting(
             f"{scene.name}: times = {short_text(times)} must be a tuple of times in s, (1.0,) with its comma for a single one."
         )
+    if Observable.ENERGY_RATIO in observe:
+        refuse_rest(scene)
 
 
 def _are(given: object, kind: type) -> bool:
@@ -271,16 +275,14 @@ def _within_range(scene: Scene) -> Generator[None]:
 def _within_doubles(scene: Scene, run: Run) -> Run:
     """In floats of Python's own, without the values that no double holds, and with a warning for each. Raises BadSetting when none is left.
 
-    How long a contact lasts that never ends, and how many times the energy grows of what was at rest, is infinite for another reason.
+    The duration of a contact that never ends may be all that was asked: then a warning is all there is.
     """
     run = replace(run, measured={name: _in_floats(each) for name, each in run.measured.items()})
-    mean = {Observable.DURATION.value, Observable.ENERGY_RATIO.value}
     lost = [
-        name
-        for name, each in run.measured.items()
-        if name not in mean and not all(map(math.isfinite, components(each.value)))
+        name for name, each in run.measured.items() if not all(map(math.isfinite, components(each.value)))
     ]
-    if lost and len(lost) == len(run.measured):
+    lasts = [Observable.DURATION.value] if run.outcome == "sticks" else []
+    if lost and len(lost) == len(run.measured) and lost != lasts:
         raise BadSetting(
             f"{scene.name}: {', '.join(lost)}: with these numbers the range of a computer is left; choose milder ones."
         )

@@ -174,10 +174,15 @@ class Run:
         return replace(self, measured={name: self.measured[name] for name in names if name in self.measured})
 
     def without(self, lost: Sequence[str]) -> Run:
-        """The same run without values that no double holds, and with a warning for each."""
-        warnings = (f"{name} is beyond the numbers of a computer." for name in lost)
+        """The same run without values that no double holds, and with a warning for each; what sticks has no duration."""
+        warnings = [
+            NEVER_PART
+            if name == Observable.DURATION.value and self.outcome == "sticks"
+            else f"{name} is beyond the numbers of a computer."
+            for name in lost
+        ]
         found = self.only(name for name in self.measured if name not in lost)
-        return replace(found, warnings=(*self.warnings, *warnings))
+        return replace(found, warnings=tuple(dict.fromkeys((*self.warnings, *warnings))))
 
 
 def two_runs(

@@ -15,8 +15,8 @@ from corollary.scenes.integrate.row_events import (
     first_touch,
     fly,
     inactive,
-    lasts_at_least,
 )
+from corollary.scenes.integrate.row_rest import lasts_at_least
 from corollary.scenes.row import RowOfBodies
 
 SPHERE = Contact(1.0, 1.5)
@@ -90,15 +90,17 @@ def test_no_collision_lasts_shorter_than_it_must(masses, speeds, wall, q):
         masses[0], speeds[0] = math.inf, 0.0
     contacts = (Contact(1.0, q),) * (count - 1)
     line = RowOfBodies(tuple(masses), tuple(speeds[:count]), (0.0,) * (count - 1), contacts)
-    y, _, row = state_of(line)
+    y, touching, row = state_of(line)
     found = collide(line, 1e-9)
-    assert found.duration >= 2.0 * lasts_at_least(y, row)
+    assert found.duration >= 2.0 * lasts_at_least(y, touching, row, 1e-9)
 
 
 def test_damping_and_weight_leave_no_bound():
     for contact, weight in ((Contact(1.0, 1.5, 0.1), 0.0), (SPHERE, 9.8)):
-        y, _, row = state_of(RowOfBodies((math.inf, 1.0), (0.0, -1.0), (0.0,), (contact,), weight=weight))
-        assert lasts_at_least(y, row) == 0.0
+        y, touching, row = state_of(
+            RowOfBodies((math.inf, 1.0), (0.0, -1.0), (0.0,), (contact,), weight=weight)
+        )
+        assert lasts_at_least(y, touching, row, 1e-9) == 0.0
 
 
 def test_what_would_take_far_too_many_steps_is_given_up_early():

@@ -241,6 +241,8 @@ def test_confirmations_of_the_exercises():
     snow = run("snowball", {})
     level = 20.0 * math.cos(math.pi / 6)
     assert snow.observed["velocities"] == pytest.approx((-2 * level / 80, 2 * level / 22), rel=1e-14)
+    thrown = run("snowball", {"Ms": 0.01, "theta": 1.0}).observed  # caught gently: the throw is the largest
+    assert thrown["peak_force"] == pytest.approx(math.hypot(*thrown["momentum"]) / 0.1, rel=1e-14)
     bullet = run("bullet_block", {"v": 20.0})
     common = 2.0 / 2.1
     assert bullet.observed["distance"] == pytest.approx(common**2 / (2 * 0.5 * 9.8), rel=1e-13)

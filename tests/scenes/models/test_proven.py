@@ -134,6 +134,24 @@ def test_spheres_that_begin_squeezed_gain_what_the_contact_had_stored():
         assert sure.model == "integration"
 
 
+@pytest.mark.parametrize("along", [(1.0, 0.0), (0.6, -0.8)])
+def test_head_on_a_damped_spring_is_what_its_closed_form_says(along):
+    """Nothing goes across: no digits are looked for in what is zero, and the energy is that of both velocities."""
+    given = {"dx": 0.08 * along[0], "dy": 0.08 * along[1], "vA": along, "q": 1.0, "mB": 0.3}
+    sure = run("spheres", given, proven=True)
+    with precision_of(80):
+        mass = arb(0.1) * arb(0.3) / (arb(0.1) + arb(0.3))
+        exact = damped(mass, arb(2e4), arb(1), arb(1), 1)
+        lost = float((1 - exact.restitution**2) * mass / arb(0.1))
+    assert sure.warnings == ()
+    assert sure.error_is == "bound"
+    assert sure.observed["energy_ratio"] == pytest.approx(1.0 - lost, rel=1e-14)
+    assert sure.errors["energy_ratio"] < 1e-16
+    if not along[1]:
+        assert sure.observed["velocities"][1::2] == (0.0, 0.0)
+        assert sure.errors["velocities"][1::2] == (0.0, 0.0)
+
+
 def test_what_is_a_bound_already_stays_as_it_is():
     assert run("ball_on_floor", {}, proven=True).observed == run("ball_on_floor", {}).observed
 

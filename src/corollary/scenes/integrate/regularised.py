@@ -76,9 +76,9 @@ class LaidOut:
             state, seen, before, after = self._steps(tolerance, most)
         end, began, ended, openings, evaluations, strain = seen
         if end == row_motion.TOO_LONG:
-            raise GuardFailed(
-                f"The collision does not end within {most} steps. Make the masses less unequal or the balls fewer."
-            )
+            damped = any(c.eta > 0.0 for c in self.line.contacts)
+            remedy = "Choose less damping" if damped else "Make the masses less unequal"
+            raise GuardFailed(f"The collision does not end within {most} steps. {remedy} or the balls fewer.")
         if end == row_motion.NO_STEP:
             raise GuardFailed(
                 "No step is small enough to follow the collision. Make the settings less extreme."

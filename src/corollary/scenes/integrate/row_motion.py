@@ -10,11 +10,11 @@ import math
 from corollary.scenes.integrate.both_ways import ways
 
 kernel, module = ways(__name__)
-events, law, stages = module("row_events"), module("row_law"), module("stages")
-active_part, settle, inactive, stays = events.active_part, events.settle, events.inactive, events.stays
+events, rest, law, stages = module("row_events"), module("row_rest"), module("row_law"), module("stages")
+active_part, settle, inactive = events.active_part, events.settle, events.inactive
 first_touch, fly, suited, due = events.first_touch, events.fly, events.suited, events.due
-nears_zero, crossing, at_rest = events.nears_zero, events.crossing, events.at_rest
-lasts_at_least = events.lasts_at_least
+nears_zero, crossing = events.nears_zero, events.crossing
+stays, at_rest, lasts_at_least = rest.stays, rest.at_rest, rest.lasts_at_least
 push, slope, step, value_in, stride_for = law.push, law.slope, law.step, law.value_in, law.stride_for
 conserved = law.conserved
 damped_force, largest_force, largest_overlap = law.damped_force, law.largest_force, law.largest_overlap
@@ -150,7 +150,7 @@ def follow(y, touching, row, deepest, hardest, tolerance, most, room):
         if 2 * done == look:
             seen = time
         elif done == look:
-            if lasts_at_least(y, row) * done > (most - done) * (time - seen):
+            if lasts_at_least(y, touching, row, tolerance) * done > (most - done) * (time - seen):
                 return TOO_LONG, began, ended, openings, spent, strain
             look, seen = 2 * look, time
         settle(y, touching, first, last)

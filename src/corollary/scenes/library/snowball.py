@@ -29,8 +29,8 @@ SETTINGS = (
 def _evaluated(you: Ball, son: Ball, ball: Ball, v: Ball, theta: Ball, dt: Ball) -> Evaluated:
     """Velocities along the ice, toward the son. `velocities_after_throw` and `velocities` are (yours, your son's).
 
-    Thrown by a constant force between hand and ball (each feels it, oppositely); caught by a dashpot between ball and son,
-    and then held fast. The ice carries what the throw does vertically.
+    Thrown by a constant force between hand and ball (each feels it, oppositely), of size m v/dt: nothing weighs. Caught by a dashpot
+    along the ice between ball and son, and then held fast. The ice carries what either does vertically.
     """
     level, up = v * theta.cos(), v * theta.sin()
     yours, both = -ball * level / you, ball + son
@@ -38,7 +38,7 @@ def _evaluated(you: Ball, son: Ball, ball: Ball, v: Ball, theta: Ball, dt: Ball)
         "momentum": (ball * level, ball * up),
         "velocities_after_throw": (yours, Ball(0)),
         "velocities": (yours, ball * level / both),
-        "peak_force": (ball * level / dt).max(FADING * ball * son / both * level / dt),
+        "peak_force": (ball * v / dt).max(FADING * ball * son / both * level / dt),
     }
     why = "a constant force and a dashpot, one after the other: each moves the bodies in closed form"
     return Evaluated("sticks", values, "piecewise exact", why)

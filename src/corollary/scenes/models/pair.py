@@ -276,7 +276,7 @@ def _observed(
     then_a = tuple(v - j / ma for v, j in zip(a, impulse, strict=True))
     then_b = tuple(v + j / mb for v, j in zip(b, impulse, strict=True))
     had, has = (
-        (ma * (p[0] ** 2 + p[1] ** 2) + mb * (q[0] ** 2 + q[1] ** 2)) / 2
+        (ma * (p[0] * p[0] + p[1] * p[1]) + mb * (q[0] * q[0] + q[1] * q[1])) / 2
         for p, q in ((a, b), (then_a, then_b))
     )
     # An elastic contact gives back what it took, whatever the quadratures say.

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from corollary.scenes.constraint import State
 from corollary.scenes.refused import OWN_FAILS
-from corollary.scenes.run import ROUNDING
+from corollary.scenes.run import ROUNDING, BadSetting
 from corollary.scenes.scene import Conserves, Force, Scene, overlap, seen_from, spin, start_of, velocity
 
 if TYPE_CHECKING:
@@ -67,6 +67,13 @@ def _turning(scene: Scene) -> list[tuple[int, float]]:
     """The bodies that may turn, with their moments of inertia (kg m^2): a disc on a nail is one of them."""
     found = [(i, body.resists_spin) for i, body in enumerate(scene.bodies)] if scene.spins else []
     return [(i, inertia) for i, inertia in found if not math.isinf(inertia)]
+
+
+def refuse_rest(scene: Scene) -> None:
+    """Raises BadSetting where nothing that can be pushed or turned moves at the start: there is no kinetic energy to compare with."""
+    straight = any(any(body.velocity) for body in scene.bodies if not math.isinf(body.mass))
+    if not straight and not any(scene.bodies[i].spin for i, _ in _turning(scene)):
+        raise BadSetting(f"{scene.name}: nothing moves at the start; ask for the energy, not for its ratio.")
 
 
 def potentials(scene: Scene, time: float, state: State) -> list[float]:
@@ -160,10 +167,16 @@ def never_meets(scene: Scene, state: State, slow: float = 0.0) -> bool:
 
 
 def used_up(scene: Scene, time: float, state: State, share: float, fast: float) -> bool:
-    """Whether bodies touch, and of the speed `fast` (m/s) no more than a share is left, of the first energy its square."""
-    pairs = [pair for force in scene.contacts for pair in force.serves(scene)]
-    rates = [rate for depth, rate in (overlap(scene, state, a, b) for a, b in pairs) if depth > 0.0]
+    """Whether bodies touch, and of the speed `fast` (m/s) no more than a share is left, of the first energy its square.
+
+    None that comes faster than that is on its way to another.
+    """
+    pairs = {(a, b): overlap(scene, state, a, b) for force in scene.contacts for a, b in force.serves(scene)}
+    rates = [rate for depth, rate in pairs.values() if depth > 0.0]
     if not rates or max(map(abs, rates)) >= share * fast:
+        return False
+    apart = [pair for pair, (depth, rate) in pairs.items() if depth <= 0.0 and rate > share * fast]
+    if any(_on_course(scene, state, a, b) for a, b in apart):
         return False
     stored = energy(scene, time, state) - kinetic(scene, time, state)
     return stored <= share**2 * kinetic(scene, 0.0, start_of(scene))

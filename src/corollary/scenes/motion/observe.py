@@ -13,7 +13,7 @@ from typing import assert_never
 from scipy.optimize import minimize_scalar
 
 from corollary.scenes.body import nothing_moves
-from corollary.scenes.motion.energy import energy, impulses, kinetic, masses_at, momentum
+from corollary.scenes.motion.energy import energy, impulses, kinetic, masses_at, momentum, refuse_rest
 from corollary.scenes.motion.isolation import POINTS
 from corollary.scenes.motion.path import Stretch, Trajectory
 from corollary.scenes.motion.turns import fastest, flat, turns
@@ -78,12 +78,8 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
         case Observable.SPINS:
             return tuple(spin(scene, path.state, i) for i in every)
         case Observable.ENERGY_RATIO:
-            before = kinetic(scene, 0.0, start_of(scene))
-            if not before:
-                raise BadSetting(
-                    f"{scene.name}: nothing moves at the start; ask for the energy, not for its ratio."
-                )
-            return kinetic(scene, path.time, path.state) / before
+            refuse_rest(scene)
+            return kinetic(scene, path.time, path.state) / kinetic(scene, 0.0, start_of(scene))
         case Observable.LARGEST_OVERLAP:
             served = _served(scene, path)
             chosen = {(a, b) for _, a, b, _ in served}
@@ -108,6 +104,8 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
                 default=0.0,
             )
         case Observable.DURATION:
+            if path.settled:
+                return math.inf
             span = contact_span(path, [each for *_, touching in _served(scene, path) for each in touching])
             return span.lasts if span else 0.0
         case Observable.TURNING_POINTS:

@@ -8,7 +8,7 @@ from functools import reduce
 from flint import arb
 
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.models.certain import Evaluated
+from corollary.scenes.models.certain import Evaluated, sign
 from corollary.scenes.models.pair import Pair, after_contact, reduced_mass, touch
 from corollary.scenes.models.proven import follow
 from corollary.scenes.models.proven.laws import PairLaw, RowLaw
@@ -47,18 +47,21 @@ def spheres(pair: Pair, depth: float, speed: float) -> Evaluated:
     """Two spheres in a plane that meet, with or without damping; `depth` and `speed` are units of about the right size."""
     met, contact = touch(pair), pair.contact
     assert met is not None
+    turns = bool(sign(met.spin))  # head-on nothing does, and what is zero stays it
     mass, d, v = reduced_mass(pair), arb(depth), arb(speed)
     law = PairLaw(
         inverse=arb(1),
         k=contact.k * d ** (arb(contact.q) + 1) / (mass * v * v),
         q=arb(contact.q),
         eta=contact.eta * d / (mass * v),
-        reach=pair.reach / d,
+        reach=pair.reach / d if turns else None,
         weight=arb(0),
     )
     seen = follow.pair(law, State((met.inward / v, met.spin / (d * v)), (met.overlap / d, arb(0))))
-    (rate, spin), turned = seen.state.speeds, seen.state.places[1]
     assert seen.ended is not None
+    (rate, spin), turned = seen.state.speeds, seen.state.places[1]
+    if not turns:
+        spin = turned = arb(0)
     force = seen.force_square.sqrt() * mass * v * v / d
     contact_values = seen.overlaps[0] * d, force, seen.ended * d / v
     return after_contact(pair, met, (turned, -rate * v, spin * d * v), contact_values, WHY)
