@@ -145,8 +145,8 @@ class Follower:
                 self.steps.at_most = 0.5 * stretch.lasts
                 return mode
             met = self.steps.first_event(guards, stretch)
-            if self.steps.nearest < path.near:
-                path.doubt("graze", stretch.begin)
+            if self.steps.nearest[0] < path.near:
+                path.doubt("graze", stretch.begin + self.steps.nearest[1] * stretch.lasts)
             if self.steps.tied:
                 path.doubt("tie", stretch.begin)
             if met is not None:

@@ -94,24 +94,23 @@ class Guards:
         """All guards in a state, in the order of `names`."""
         return [value(time, y) for value in self.places] + self._forces(time, y)
 
-    def nearest(self, values: Array) -> float:
-        """How little (m) bodies that may hit or touch, sampled over a step, miss each other by, or reach into each other in passing.
+    def nearest(self, values: Array) -> tuple[float, float]:
+        """How little (m) bodies that may hit or touch, sampled over a step, miss each other by, or reach into each other in passing; and
+        after which part of it.
 
         Only turning points within the step count: a gap that has just opened, or is about to close, does not graze; nor does one
         between bodies that touch, which rounding alone bends.
         """
         chosen = [i for i, guard in enumerate(self.names) if guard.kind in ("hit", "touch")]
-        if not chosen:
-            return math.inf
-        least = math.inf
+        least = math.inf, 0.0
         for gaps in values[chosen]:
             if gaps.min() > 0.1 * np.ptp(gaps):
                 continue
-            for _, value in minima(gaps):
+            for part, value in minima(gaps):
                 # What has just been let go opens with no speed: that is no touch.
                 apart = abs(value) > 4.0 * abs(self.sizes.blur + self.sizes.shift)
                 if gaps[0] - value > 4.0 * self.sizes.blur or (apart and gaps[-1] > value):
-                    least = min(least, abs(value))
+                    least = min(least, (abs(value), part))
         return least
 
     def tied(self, values: Array) -> bool:

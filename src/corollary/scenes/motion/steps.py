@@ -55,7 +55,7 @@ class Stepper:
         self.steps, self.hurried, self.fades = 0, 0, False
         self.lately: deque[float] = deque(maxlen=STEADY)
         self.begin_anew()
-        self.nearest, self.tied = math.inf, False
+        self.nearest, self.tied = (math.inf, 0.0), False
         self.longest = 100.0 * sizes.long / sizes.fast if system.contacts else math.inf
         self.at_most = math.inf
         """How long (s) the next phase's first step may be."""

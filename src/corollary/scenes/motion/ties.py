@@ -17,7 +17,7 @@ from corollary.scenes.run import GuardFailed
 from corollary.scenes.scene import start_of
 
 SENTENCES: dict[Doubt, str] = {
-    "graze": "a touch grazes soon after {:.6g} s: whether it happens is within the error, and in the errors stated",
+    "graze": "a touch grazes at about {:.6g} s: whether it happens is within the error, and in the errors stated",
     "crowd": "at {:.6g} s a body is hit from several sides all but at once: which hit is first is in the errors stated",
     "tie": "friction soon after {:.6g} s can hold as much as it must, but for errors: whether it does is in the errors stated",
     "rival": "at {:.6g} s what carries a body decides how much friction can hold, and the laws of rigid bodies leave it open: the errors "
