@@ -13,7 +13,7 @@ from corollary.scenes.motion.energy_errors import conserved, energy_lost, energy
 from corollary.scenes.motion.follow import follow
 from corollary.scenes.motion.observe import contact_span, look, outcome, state_at, unequal
 from corollary.scenes.motion.path import Trajectory
-from corollary.scenes.motion.ties import doubts
+from corollary.scenes.motion.ties import TIED, doubts, ties_pucks
 from corollary.scenes.motion.turns import flat, near
 from corollary.scenes.perturbation import CHANGED, perturbed
 from corollary.scenes.progress import part
@@ -45,7 +45,7 @@ CHAOTIC = 1e6
 @lru_cache(maxsize=8)
 def _paths(scene: Scene, tolerance: float) -> tuple[float, Trajectory, Trajectory, Trajectory | None]:
     """The tolerance that is fine enough, a coarser run, a finer one, and a coarser one of slightly other data; none if that cannot be followed."""
-    tolerance = min(tolerance, COARSEST)
+    tolerance = min(tolerance, TIED if ties_pucks(scene) else COARSEST)
     try:
         return tolerance, *_followed(scene, tolerance)
     except GuardFailed as error:

@@ -53,12 +53,9 @@ def _at_rest(scene: Scene, path: Trajectory) -> bool:
     held = any(s in ("on", "stick") for s in (*path.mode.held, *path.mode.rubbed))
     loose = [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]
     count = scene.axes * len(scene.bodies)
-    fast = max([path.fast, *(abs(v) for stretch in path.stretches for v in stretch.before[count:])])
-    return (
-        held
-        and bool(loose)
-        and all(math.hypot(*velocity(scene, path.state, i)) <= 1e-9 * fast for i in loose)
-    )
+    moved = max((abs(v) for stretch in path.stretches for v in stretch.before[count:]), default=0.0)
+    slow = max(1e-9 * moved, 1e-12 * path.fast)
+    return held and bool(loose) and all(math.hypot(*velocity(scene, path.state, i)) <= slow for i in loose)
 
 
 def _beyond_every_edge(scene: Scene, state: Sequence[float]) -> bool:

@@ -14,7 +14,7 @@ from corollary.scenes.motion.path import Doubt, Trajectory
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, System
 from corollary.scenes.run import GuardFailed
-from corollary.scenes.scene import start_of
+from corollary.scenes.scene import Scene, start_of
 
 SENTENCES: dict[Doubt, str] = {
     "graze": "a touch grazes at about {:.6g} s: whether it happens is within the error, and in the errors stated",
@@ -24,7 +24,17 @@ SENTENCES: dict[Doubt, str] = {
     "stated span another motion that obeys them",
 }
 
+# The coarsest tolerance for pucks that are tied.
+TIED = 1e-10
+
 Rubbing = TypeVar("Rubbing", Item, Rub)
+
+
+def ties_pucks(scene: Scene) -> bool:
+    """Whether rods or strings tie what rubs on a table: the ways in which such bodies begin to slip show in fine steps only."""
+    system = System(scene)
+    pucks = {i for rub in system.rubs if len(rub.driven) == 2 for i in rub.bodies}
+    return any(len(pucks.intersection(c.bodies)) > 1 for c in system.constraints)
 
 
 def leaned(each: Rubbing, share: float) -> Rubbing:
