@@ -12,7 +12,7 @@ import numpy as np
 from corollary.scenes.constraint import State
 from corollary.scenes.integrate.contact_motion import NEAREST
 from corollary.scenes.motion.isolation import minima
-from corollary.scenes.motion.multipliers import Item, normal_force
+from corollary.scenes.motion.multipliers import Item, most_held
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
@@ -155,13 +155,11 @@ class Guards:
         active = [k for k, s in enumerate(rubbed) if s != "off"]
         together = next(own for _, own in self.system.clusters(time, y, held, active) if number in own)
         found = {k: way for k in together if isinstance(way := rubbed[k], tuple)}
-        for n, (k, at) in enumerate(self.sticks):
-            z, most = forces.multipliers[at], items[at].static * normal_force(items, forces, at)
+        for k, at in self.sticks:
+            z, most = forces.multipliers[at], most_held(items, forces, at)
             size = float(np.linalg.norm(z))
             if k == number or (
-                k in together
-                and size >= (1.0 - EXHAUSTED) * most
-                and size > self.trifles[len(self.presses) + n]
+                k in together and size >= (1.0 - EXHAUSTED) * most and size > self.trifles[at]
             ):
                 found[k] = tuple((-z / (size or 1.0)).tolist())
         return found
@@ -213,15 +211,12 @@ class Guards:
         if not (self.presses or self.sticks):
             return []
         items, forces, _ = self.system.held(time, y, self.since, self.mode)
-        found = [
-            float(forces.multipliers[at][0]) + trifle
-            for (_, at), trifle in zip(self.presses, self.trifles, strict=False)
-        ]
-        for (_, at), trifle in zip(self.sticks, self.trifles[len(found) :], strict=True):
-            most = items[at].static * normal_force(items, forces, at)
+        found = [float(forces.multipliers[at][0]) + self.trifles[at] for _, at in self.presses]
+        for _, at in self.sticks:
+            most = most_held(items, forces, at)
             # Squares are as smooth as the forces; the sign of the normal force is not to be lost in one.
             margin = math.copysign(most * most, most) - float(forces.multipliers[at] @ forces.multipliers[at])
-            found.append(margin + trifle**2)
+            found.append(margin + self.trifles[at] ** 2)
         return found
 
     def _measure(self, time: float, held: Sequence[int], active: Sequence[int]) -> None:
@@ -232,9 +227,7 @@ class Guards:
         """
         items, found, _ = self.system.held(time, self.since, self.since, self.mode)
         inverse = self.system.inverse(time)
-        limits = [
-            item.static * normal_force(items, found, at) if item.rub else 0.0 for at, item in enumerate(items)
-        ]
+        limits = [most_held(items, found, at) if item.rub else 0.0 for at, item in enumerate(items)]
         own = [
             max(limit, float(np.abs(z).max()), *_alone(item, inverse))
             for item, z, limit in zip(items, found.multipliers, limits, strict=True)
@@ -244,8 +237,9 @@ class Guards:
             group = [held.index(i) for i in constraints] + [len(held) + active.index(k) for k in rubs]
             for at in group:
                 together[at] = max(own[each] for each in group)
-        for _, at in (*self.presses, *self.sticks):
-            self.trifles.append(max(TRIFLE * own[at], ROUNDED * together[at], 1e-300))
+        self.trifles = [
+            max(TRIFLE * each, ROUNDED * others, 1e-300) for each, others in zip(own, together, strict=True)
+        ]
         self.most = [limits[at] ** 2 for _, at in self.sticks]
 
 

@@ -165,3 +165,8 @@ def normal_force(items: Sequence[Item], found: Answer, i: int) -> float:
     """What presses a rub."""
     item = items[i]
     return item.given if item.pressed < 0 else float(found.multipliers[item.pressed][0])
+
+
+def most_held(items: Sequence[Item], found: Answer, i: int) -> float:
+    """The most that a rub can hold before it slips."""
+    return items[i].static * normal_force(items, found, i)

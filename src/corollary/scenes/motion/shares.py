@@ -37,20 +37,19 @@ def evenly(forces: Array, free: Array, holders: Sequence[tuple[Sequence[int], fl
     top = float(squares(np.zeros(ways)).max())
     if not top > 1e-24:  # nothing pulls
         return forces
-    size = top
     found = minimize(
         lambda x: x[-1],
         np.array([*np.zeros(ways), 1.0]),
         jac=lambda x: np.array([*np.zeros(ways), 1.0]),
         constraints={
             "type": "ineq",
-            "fun": lambda x: x[-1] - squares(x[:-1] * size**0.5) / size,
-            "jac": lambda x: np.column_stack([-slopes(x[:-1] * size**0.5) / size**0.5, np.ones(len(parts))]),
+            "fun": lambda x: x[-1] - squares(x[:-1] * top**0.5) / top,
+            "jac": lambda x: np.column_stack([-slopes(x[:-1] * top**0.5) / top**0.5, np.ones(len(parts))]),
         },
         method="SLSQP",
         options={"ftol": ROUGH, "maxiter": 200},
     )
-    c = np.asarray(found.x[:-1]) * size**0.5
+    c = np.asarray(found.x[:-1]) * top**0.5
     if not np.isfinite(c).all() or squares(c).max() > top:
         return forces
     polished = _polished(parts, c)
