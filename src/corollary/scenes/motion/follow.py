@@ -242,7 +242,7 @@ class Follower:
             case "break":
                 moment.barred_rubs = guards.broken(guard.number, path.time, path.state)
             case "stop":
-                moment.stopped = guard.number
+                moment.stopped = frozenset({guard.number})
             case "hit":
                 pass
         return self._decide(moment, tuple(touching), tuple(sides))

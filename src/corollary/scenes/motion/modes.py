@@ -10,7 +10,7 @@ import numpy as np
 
 from corollary.scenes.motion.complementarity import consistent
 from corollary.scenes.motion.hits import settle_hits
-from corollary.scenes.motion.multipliers import Item, Status, answer
+from corollary.scenes.motion.multipliers import Item, Status, answer, normal_force
 from corollary.scenes.motion.onset import beginning
 from corollary.scenes.motion.path import Doubt
 from corollary.scenes.motion.projection import project, push_out, same_twice
@@ -23,6 +23,8 @@ from corollary.scenes.run import GuardFailed
 
 # So far ahead, in times that what is fast takes through the scene, bodies have begun to move.
 AHEAD = 1e-2
+# What slows down by such a part of what friction could make it do, it does: by less, rounding does.
+SLOWER = 1e-12
 
 
 @dataclass(slots=True)
@@ -30,7 +32,7 @@ class Moment:
     """A moment at which the law may change: the state is corrected in place, `mode` says what holds from then on.
 
     `barred` are constraints that must let go and rubs that must slip (with the direction of the force that held them), because
-    that is why the moment came, `stopped` is a rub that has just stopped slipping; `before` is the mode until then. `looks_ahead`: what
+    that is why the moment came, `stopped` are rubs that have just stopped slipping; `before` is the mode until then. `looks_ahead`: what
     holds is decided by what comes next, where it is not by what is. `hits` counts what was hit, `doubts` are what errors decide; `dropped` is the
     speed (m/s) taken for none, and `lasts` how long (s) the bounces left out would have taken.
     """
@@ -42,7 +44,7 @@ class Moment:
     before: Mode | None = None
     barred_constraints: frozenset[int] = frozenset()
     barred_rubs: dict[int, tuple[float, ...]] = field(default_factory=dict[int, tuple[float, ...]])
-    stopped: int = -1
+    stopped: frozenset[int] = frozenset()
     looks_ahead: bool = True
     hits: int = 0
     doubts: set[Doubt] = field(default_factory=set[Doubt])
@@ -57,7 +59,9 @@ class Moment:
         push_out(self.system, self.time, self.y, self._near())
         if crowded(self.system, self.time, self.y, self.sizes):
             self.doubts.add("crowd")
+        stopping = self._stopping()
         self.hits += settle_hits(self.system, self.time, self.y, self._near(), self.sizes.speed)
+        self.stopped |= {k for k in stopping if self._slow(k)}
         mode = self._at_rest(touching, sides) or self._settle_forces(touching, sides)
         resting: set[int] = set()
         for _ in range(len(self.system.constraints) + 1):
@@ -169,6 +173,29 @@ class Moment:
         """Whether a slip of two components is too slow to be told from rest."""
         return math.hypot(*self.system.slip(self.time, self.y, k)) <= self.sizes.rests[k] * 1.001
 
+    def _slow(self, k: int) -> bool:
+        """Whether a slip of one component is none, as far as can be seen."""
+        return abs(self.system.slip(self.time, self.y, k)[0]) <= self.sizes.speed
+
+    def _stopping(self) -> set[int]:
+        """The rubs of one component that slip, and have not just begun to: what is tied to one that stops does so with it."""
+        if self.before is None:
+            return set()
+        active = [k for k, status in enumerate(self.before.rubbed) if status != "off"]
+        slipping = {k: s for k in active if isinstance(s := self.before.rubbed[k], tuple) and len(s) == 1}
+        found = set(slipping)
+        if slow := [k for k in slipping if self._slow(k) and k not in self.stopped]:
+            items, forces, _ = self.system.held(self.time, self.y, self.y, self.before)
+            inverse = self.system.inverse(self.time)
+            first = len(items) - len(active)
+            for k in slow:
+                at = first + active.index(k)
+                item, slower = items[at], -float(forces.left[at][0]) * slipping[k][0]
+                brake = item.kinetic * normal_force(items, forces, at) * np.abs(item.rows * inverse).max()
+                if slower <= SLOWER * float(abs(item.bias[0]) + abs(brake)):
+                    found.discard(k)
+        return found
+
     def _at_rest(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode | None:
         """The mode in which all that hardly slips in a plane sticks, if there is one.
 
@@ -208,7 +235,7 @@ class Moment:
     ) -> Sequence[Item]:
         inverse, items = self.system.inverse(self.time), self._items(group, rubs, gains)
         where = f"at {self.time:.6g} s"
-        rests = [False] * len(group) + [self._creeps(k) or k == self.stopped for k in rubs]
+        rests = [False] * len(group) + [self._creeps(k) or k in self.stopped for k in rubs]
         items, statuses = beginning(items, rests, inverse, where)
         if tied(items, statuses, inverse, self.sizes.tie):
             self.doubts.add("tie")
@@ -236,14 +263,14 @@ class Moment:
         """How a rub may go on: as it slips, or, where it does not slip, held or beginning to slip."""
         slip = self.system.slip(self.time, self.y, k)
         speed = math.hypot(*slip)
-        if not self._creeps(k) if len(slip) == 2 else speed > self.sizes.speed and k != self.stopped:
+        if not self._creeps(k) if len(slip) == 2 else speed > self.sizes.speed and k not in self.stopped:
             return (tuple(v / speed for v in slip),)
         if k in self.barred_rubs:
             return (self.barred_rubs[k],)
         if len(slip) == 1:
             begun = self.before.rubbed[k] if self.before is not None else "stick"
             # What has just begun to slip does so until it is seen to stop.
-            goes_on = isinstance(begun, tuple) and k != self.stopped and slip[0] * begun[0] > 0.0
+            goes_on = isinstance(begun, tuple) and k not in self.stopped and slip[0] * begun[0] > 0.0
             return (begun,) if goes_on else ("stick", (1.0,), (-1.0,))
         pull = math.hypot(*item.bias)
         return ("stick", tuple(float(b) / pull for b in item.bias)) if pull else ("stick",)

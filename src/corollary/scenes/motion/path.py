@@ -18,6 +18,8 @@ from corollary.scenes.motion.isolation import DERIVATIVE, POINTS, coefficients
 from corollary.scenes.motion.system import Mode
 
 Array = NDArray[np.float64]
+# What lasts for such a part of the time until then is over as it begins.
+BRIEF = 1e-12
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,16 +169,18 @@ class Trajectory:
         """What happens, in turn: hits, and what touches, holds or sticks as soon as that is another.
 
         The direction of a slip in a plane is looked at now and again, and a force may go by the side of a place or the sign of a speed:
-        nothing happens there.
+        nothing happens there. Nor does anything come of what holds for no time, while bodies that are tied stop one after the other.
         """
         modes = [*(stretch.mode for stretch in self.stretches), self.mode]
         found: list[object] = []
         holds = _holding(modes[0]) if modes[0] else None
-        for happening in self.happenings:
+        ends = [*(each.time for each in self.happenings[1:]), math.inf]
+        for happening, end in zip(self.happenings, ends, strict=False):
             if happening.what.startswith("hit"):
                 found.append(happening.what)
             mode = modes[happening.stretch]
-            if mode and (now := _holding(mode)) != holds:
+            lasts = end - happening.time > BRIEF * happening.time
+            if mode and lasts and (now := _holding(mode)) != holds:
                 found.append(now)
                 holds = now
         return found
