@@ -65,6 +65,10 @@ class Well(Force):
         """
         core = self.wall * (1.0 - LATE)
 
+        # Squares are as smooth as the way; seen from afar, distances have a kink beside the centre.
+        def within(y: State, i: int, reach: float) -> float:
+            return (reach * reach - sum(x * x for x in place(scene, y, i))) / (2.0 * reach)
+
         def turned(y: State, i: int) -> list[float]:
             x = place(scene, y, i)
             r = math.hypot(*x)
@@ -72,10 +76,8 @@ class Well(Force):
 
         for i, body in enumerate(scene.bodies):
             if not math.isinf(body.mass):
-                yield Event(lambda y, i=i: self.edge - math.hypot(*place(scene, y, i)))
-                yield Event(
-                    lambda y, i=i: math.hypot(*place(scene, y, i)) - core, i, lambda y, i=i: turned(y, i)
-                )
+                yield Event(lambda y, i=i: within(y, i, self.edge))
+                yield Event(lambda y, i=i: -within(y, i, core), i, lambda y, i=i: turned(y, i))
 
     @property
     def conserves(self) -> Conserves:

@@ -48,7 +48,7 @@ def play(settings: Settings, tolerance: float) -> Run:
     """Rebound speed and impulse of the floor when the ball leaves y = R; peak force of the floor; duration of the contact."""
     m, contact, speed, g = _fallen(settings)
     r, y0, v0 = numbers(settings, "R", "y0", "v0")
-    if v0 >= 0.0 and (g == 0.0 or (v0 == 0.0 and y0 == r)):
+    if v0 >= 0.0 and g == 0.0:
         return found(lambda: _missed(Ball(v0)))
     if contact.eta > 0.0 and not (g == 0.0 and contact.q == 1.0):
         return _damped(m, contact, speed, g, tolerance)

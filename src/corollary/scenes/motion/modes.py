@@ -10,11 +10,11 @@ import numpy as np
 
 from corollary.scenes.motion.complementarity import consistent
 from corollary.scenes.motion.hits import settle_hits
-from corollary.scenes.motion.multipliers import Item, Status, answer, normal_force
+from corollary.scenes.motion.multipliers import Item, Status, answer
 from corollary.scenes.motion.onset import beginning
 from corollary.scenes.motion.path import Doubt
 from corollary.scenes.motion.projection import project, push_out, same_twice
-from corollary.scenes.motion.reversal import left_over
+from corollary.scenes.motion.reversal import left_over, slid, unseen
 from corollary.scenes.motion.rivals import rivals
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
@@ -23,8 +23,6 @@ from corollary.scenes.run import GuardFailed
 
 # So far ahead, in times that what is fast takes through the scene, bodies have begun to move.
 AHEAD = 1e-2
-# What slows down by such a part of what friction could make it do, it does: by less, rounding does.
-SLOWER = 1e-12
 
 
 @dataclass(slots=True)
@@ -59,9 +57,9 @@ class Moment:
         push_out(self.system, self.time, self.y, self._near())
         if crowded(self.system, self.time, self.y, self.sizes):
             self.doubts.add("crowd")
-        stopping = self._stopping()
+        slipping = slid(self.system, self.time, self.y, self.before, self.sizes.speed)
         self.hits += settle_hits(self.system, self.time, self.y, self._near(), self.sizes.speed)
-        self.stopped |= {k for k in stopping if self._slow(k)}
+        self.stopped |= {k for k in slipping if unseen(self.system, self.time, self.y, k, self.sizes.speed)}
         mode = self._at_rest(touching, sides) or self._settle_forces(touching, sides)
         resting: set[int] = set()
         for _ in range(len(self.system.constraints) + 1):
@@ -173,29 +171,6 @@ class Moment:
         """Whether a slip of two components is too slow to be told from rest."""
         return math.hypot(*self.system.slip(self.time, self.y, k)) <= self.sizes.rests[k] * 1.001
 
-    def _slow(self, k: int) -> bool:
-        """Whether a slip of one component is none, as far as can be seen."""
-        return abs(self.system.slip(self.time, self.y, k)[0]) <= self.sizes.speed
-
-    def _stopping(self) -> set[int]:
-        """The rubs of one component that slip, and have not just begun to: what is tied to one that stops does so with it."""
-        if self.before is None:
-            return set()
-        active = [k for k, status in enumerate(self.before.rubbed) if status != "off"]
-        slipping = {k: s for k in active if isinstance(s := self.before.rubbed[k], tuple) and len(s) == 1}
-        found = set(slipping)
-        if slow := [k for k in slipping if self._slow(k) and k not in self.stopped]:
-            items, forces, _ = self.system.held(self.time, self.y, self.y, self.before)
-            inverse = self.system.inverse(self.time)
-            first = len(items) - len(active)
-            for k in slow:
-                at = first + active.index(k)
-                item, slower = items[at], -float(forces.left[at][0]) * slipping[k][0]
-                brake = item.kinetic * normal_force(items, forces, at) * np.abs(item.rows * inverse).max()
-                if slower <= SLOWER * float(abs(item.bias[0]) + abs(brake)):
-                    found.discard(k)
-        return found
-
     def _at_rest(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode | None:
         """The mode in which all that hardly slips in a plane sticks, if there is one.
 
@@ -235,7 +210,9 @@ class Moment:
     ) -> Sequence[Item]:
         inverse, items = self.system.inverse(self.time), self._items(group, rubs, gains)
         where = f"at {self.time:.6g} s"
-        rests = [False] * len(group) + [self._creeps(k) or k in self.stopped for k in rubs]
+        # What slips in a plane may only have turned.
+        lines = {k for k in self.stopped if len(self.system.rubs[k].driven) == 1}
+        rests = [False] * len(group) + [self._creeps(k) or k in lines for k in rubs]
         items, statuses = beginning(items, rests, inverse, where)
         if tied(items, statuses, inverse, self.sizes.tie):
             self.doubts.add("tie")

@@ -34,19 +34,19 @@ def beginning(items: Sequence[Item], loose: Sequence[bool], inverse: Array, wher
     Raises GuardFailed where nothing is consistent.
     """
     try:
-        return _turning(items, inverse, where)
+        return _turning(items, loose, inverse, where)
     except GuardFailed:
         if (found := _least_of_all(items, loose, inverse, where)) is not None:
             return found
     # What holds a body may pull it another way than what acts on it alone.
-    return _turning(_redirected(items, inverse), inverse, where)
+    return _turning(_redirected(items, inverse), loose, inverse, where)
 
 
-def _turning(items: Sequence[Item], inverse: Array, where: str) -> Found:
+def _turning(items: Sequence[Item], loose: Sequence[bool], inverse: Array, where: str) -> Found:
     """What is settled when slips begin the way the bodies take."""
     statuses = settled(items, inverse, where)
     for _ in range(TURNS):
-        again = _turned(items, statuses, inverse)
+        again = _turned(items, statuses, loose, inverse)
         if again is None:
             return items, statuses
         items, statuses = again, settled(again, inverse, where)
@@ -66,18 +66,21 @@ def _redirected(items: Sequence[Item], inverse: Array) -> list[Item]:
     return found
 
 
-def _turned(items: Sequence[Item], statuses: Sequence[Status], inverse: Array) -> list[Item] | None:
+def _turned(
+    items: Sequence[Item], statuses: Sequence[Status], loose: Sequence[bool], inverse: Array
+) -> list[Item] | None:
     """Where a slip of two components begins from rest: the direction the body really takes, until it no longer changes."""
     found, changed, again = answer(items, statuses, inverse), False, list(items)
     for j, (item, status) in enumerate(zip(items, statuses, strict=True)):
-        if isinstance(status, tuple) and len(status) == 2 and len(item.may) > 1:
+        if isinstance(status, tuple) and len(status) == 2 and loose[j]:
             way = found.left[j]
             size = float(np.linalg.norm(way))
             # Where friction all but balances the pull, what is left points nowhere.
             brakes = item.kinetic * item.given * float(np.abs(item.rows * inverse).max())
             pulls = size > 1e-6 * max(float(np.linalg.norm(item.bias)), brakes)
             if pulls and float(np.abs(way / size - np.array(status)).max()) > 1e-9:
-                may: tuple[Status, ...] = ("stick", tuple((way / size).tolist()))
+                new: Status = tuple((way / size).tolist())
+                may = tuple(new if isinstance(each, tuple) else each for each in item.may)
                 again[j], changed = replace(item, may=may), True
     return again if changed else None
 

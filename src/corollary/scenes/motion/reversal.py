@@ -1,4 +1,4 @@
-"""A slip in a plane that stops and goes back at once: what is left of its speed when it is seen to stop."""
+"""A slip that is too slow to be seen: whether it has just begun or comes to its end, and what is left of it where it goes back at once."""
 
 from __future__ import annotations
 
@@ -7,7 +7,40 @@ from collections.abc import Iterator
 import numpy as np
 
 from corollary.scenes.constraint import State
+from corollary.scenes.motion.multipliers import normal_force
 from corollary.scenes.motion.system import Array, Mode, System
+
+# What slows down by such a part of what friction could make it do, it does: by less, rounding does.
+SLOWER = 1e-12
+
+
+def unseen(system: System, time: float, y: State, k: int, speed: float) -> bool:
+    """Whether a slip of one component is not faster than a speed (m/s)."""
+    return abs(system.slip(time, y, k)[0]) <= speed
+
+
+def slid(system: System, time: float, y: State, before: Mode | None, speed: float) -> set[int]:
+    """The rubs of one component that slip in a mode, but for those that have just begun to: no faster than `speed` (m/s), and not slower and slower.
+
+    What is tied to one that stops does so with it, though rounding leaves it a speed.
+    """
+    if before is None:
+        return set()
+    active = [k for k, status in enumerate(before.rubbed) if status != "off"]
+    ways = {k: s[0] for k in active if isinstance(s := before.rubbed[k], tuple) and len(s) == 1}
+    hardly = {k for k in ways if unseen(system, time, y, k, speed)}
+    if not hardly:
+        return set(ways)
+    items, forces, _ = system.held(time, y, y, before)
+    inverse, first = system.inverse(time), len(items) - len(active)
+    found = set(ways) - hardly
+    for at, k in enumerate(active, first):
+        if k in hardly:
+            item, slower = items[at], -ways[k] * float(forces.left[at][0])
+            brake = item.kinetic * normal_force(items, forces, at) * np.abs(item.rows * inverse).max()
+            if slower > SLOWER * float(abs(item.bias[0]) + abs(brake)):
+                found.add(k)
+    return found
 
 
 def left_over(
