@@ -11,7 +11,7 @@ from corollary.scenes.collision import collide
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.falls_and_swings import EXACT, fallen
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.models.certain import Balls, Evaluated, balls, found
+from corollary.scenes.models.certain import Balls, Evaluated, balls, found, sign
 from corollary.scenes.models.proven import collisions
 from corollary.scenes.models.two_bodies import (
     BETA,
@@ -21,6 +21,7 @@ from corollary.scenes.models.two_bodies import (
     bounce,
     damped,
     depth_of,
+    laid_down,
     swings,
     undamped,
 )
@@ -47,7 +48,7 @@ OVERDAMPED = 1e5
 def play(settings: Settings, tolerance: float) -> Run:
     """Rebound speed and impulse of the floor when the ball leaves y = R; peak force of the floor; duration of the contact."""
     m, contact, speed, g = _fallen(settings)
-    r, y0, v0 = numbers(settings, "R", "y0", "v0")
+    (v0,) = numbers(settings, "v0")
     if v0 >= 0.0 and g == 0.0:
         return found(lambda: _missed(Ball(v0)))
     if contact.eta > 0.0 and not (g == 0.0 and contact.q == 1.0):
@@ -62,7 +63,12 @@ def _fallen(settings: Settings) -> tuple[float, Contact, float, float]:
         raise BadSetting(
             f"ball_on_floor: y0 = {y0:g} m is inside the floor; the centre must start at R = {r:g} m or higher."
         )
-    return m, Contact(k, q, eta), math.sqrt(v0 * v0 + 2.0 * g * (y0 - r)), g
+    speed = math.sqrt(v0 * v0 + 2.0 * g * (y0 - r))
+    if eta > 0.0 and g > 0.0 and speed == 0.0:
+        raise BadSetting(
+            "ball_on_floor: the ball lies on the floor at the start: with damping, eta, it has no speed to compare with; start it above R."
+        )
+    return m, Contact(k, q, eta), speed, g
 
 
 def _missed(v0: Ball) -> Evaluated:
@@ -80,7 +86,7 @@ def _evaluated(settings: Settings, contact: Contact) -> Evaluated:
     speed = _meets(settings)
     model: Model = "quadrature" if contact.eta == 0.0 else "piecewise exact"
     if g > 0:
-        hit = bounce(contact, m, speed, g)
+        hit = bounce(contact, m, speed, g) if sign(speed) else laid_down(contact, m, g)
         why = "one body, no damping: energy gives the deepest point, a rigorous integral over the energy the duration"
     elif contact.eta == 0.0:
         hit, why = undamped(m, Ball(contact.k), Ball(contact.q), speed), BETA
@@ -109,6 +115,8 @@ def _observed(
         "rebound_speed": back * speed,
         "energy_ratio": back * back,
     }
+    if not sign(speed):  # it lay there, and had no energy
+        del values["energy_ratio"]
     if hit.duration is None:
         return Evaluated("sticks", values, model, why, warnings=(NEVER_PART,))
     return Evaluated("released", values | {"duration": hit.duration}, model, why, by)

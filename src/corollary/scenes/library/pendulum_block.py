@@ -27,6 +27,8 @@ def play(settings: Settings, tolerance: float) -> Run:
     """
     run = found(lambda: _evaluated(*balls(settings, "m", "M", "L", "g", "k")))
     length, g = numbers(settings, "L", "g")
+    if not {"speed_before", "duration", "velocities", "height"} <= run.measured.keys():
+        raise OverflowError
     before, lasts = (components(run.measured[name].value)[0] for name in ("speed_before", "duration"))
     # The rope carries the weight on a circle, m (g + v^2/L), and leans by the angle swung: over the contact it takes at most
     # (g + v^2/L) swung T from the sphere's velocity and from the block's at most twice that. The height goes with the velocity squared:

@@ -135,6 +135,18 @@ def bounce(contact: Contact, mass: arb, speed: arb, weight: arb) -> Hit:
     return Hit(arb(1), top, arb(contact.k) * top ** arb(q), duration)
 
 
+def laid_down(contact: Contact, mass: arb, weight: arb) -> Hit:
+    """The same for a body that only touches the floor and is at rest: it sinks in, and comes back to where it was, at rest.
+
+    With u = x / X the square of the speed is 2 g X (u - u^(q+1)): a Beta function closes the duration.
+    """
+    q, k = arb(contact.q), arb(contact.k)
+    top = ((q + 1) * mass * weight / k) ** (1 / q)
+    half, part = arb(0.5), 1 / (2 * q)
+    beta = half.gamma() * part.gamma() / (half + part).gamma()
+    return Hit(arb(1), top, (q + 1) * mass * weight, (2 * top / weight).sqrt() * beta / q)
+
+
 def collision(masses: tuple[float, float], velocities: tuple[float, float], contact: Contact) -> Evaluated:
     """Everything that can be observed of two bodies of which nothing else acts on either; they touch or come to a touch first."""
     given = inverse(masses[0]), inverse(masses[1])

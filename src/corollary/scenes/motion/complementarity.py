@@ -26,16 +26,20 @@ def settled(items: Sequence[Item], inverse: Array, where: str) -> tuple[Status, 
     """The first combination of statuses that is consistent: what presses and what sticks is tried first.
 
     Surfaces that face each other could squeeze a body, and hold it against any force, though nothing has pressed them together: such a
-    combination is taken only where no other moves bodies otherwise. Raises GuardFailed when there is none, or when there are too many
-    to try.
+    combination is taken only where no other moves bodies otherwise. So is one in which something slips that does not move, but could
+    hold. Raises GuardFailed when there is none, or when there are too many to try.
     """
     if math.prod(len(item.may) for item in items) > MOST_COMBINATIONS:
         names = ", ".join(item.name for item in items)
         raise GuardFailed(f"{where}: too many things rest on each other at once ({names}).")
     squeezed: tuple[tuple[Status, ...], Array] | None = None
+    idle: tuple[Status, ...] | None = None
     for statuses in combinations(items):
         found = answer(items, statuses, inverse)
         if not consistent(items, statuses, found, inverse):
+            continue
+        if _idle(items, statuses, found):
+            idle = idle or statuses
             continue
         if squeezed is None:
             if not may_squeeze(items, statuses, inverse):
@@ -45,9 +49,20 @@ def settled(items: Sequence[Item], inverse: Array, where: str) -> tuple[Status, 
             return statuses
     if squeezed is not None:
         return squeezed[0]
+    if idle is not None:
+        return idle
     names = ", ".join(item.name for item in items)
     raise GuardFailed(
         f"{where}: no forces of rigid bodies obey Coulomb's law here ({names}); give the contact a stiffness instead."
+    )
+
+
+def _idle(items: Sequence[Item], statuses: Sequence[Status], found: Answer) -> bool:
+    """Whether something is said to begin to slip that stays where it is, held by what else holds."""
+    fast = max((float(np.abs(item.bias).max()) for item in items), default=0.0)
+    return any(
+        isinstance(status, tuple) and "stick" in item.may and float(np.abs(w).max()) <= NOISE * fast
+        for item, status, w in zip(items, statuses, found.left, strict=True)
     )
 
 

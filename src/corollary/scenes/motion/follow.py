@@ -19,7 +19,6 @@ from corollary.scenes.motion.steps import Stepper
 from corollary.scenes.motion.system import Mode, Slope, System
 from corollary.scenes.motion.ties import shift_all
 from corollary.scenes.progress import tell
-from corollary.scenes.refused import is_own
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.scene import Scene, overlap, start_of
 
@@ -273,7 +272,7 @@ class Follower:
         if abs(now - self.energy) > allowed * size:
             raise GuardFailed(
                 f"{self.scene.name}: the energy changed by {(now - self.energy) / size:.1e} of itself; {allowed:.1e} is allowed."
-                + " Or is a potential not that of its function?" * any(map(is_own, self.scene.forces)),
+                + " Or is a potential not that of its function?" * any(f.may_be_brief for f in self.scene.forces),
                 finer=True,
             )
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from corollary.scenes.motion.complementarity import settled
 from corollary.scenes.motion.multipliers import Item, Status, answer
-from corollary.scenes.motion.system import System
+from corollary.scenes.motion.sizes import Sizes
+from corollary.scenes.motion.system import Mode, System
 
 
 def settle_hits(system: System, time: float, y: list[float], near: Sequence[int], slow: float) -> int:
@@ -44,3 +45,32 @@ def settle_hits(system: System, time: float, y: list[float], near: Sequence[int]
         for j, v in enumerate(change.tolist(), start=system.count):
             y[j] += v
     return hits
+
+
+def small_bounces(
+    system: System, time: float, y: list[float], near: Sequence[int], mode: Mode, sizes: Sizes
+) -> dict[int, tuple[float, float]]:
+    """Of what is `near` the constraints that open so slowly under what presses them that their bounces are lower than is looked at: they rest.
+
+    Bounce after bounce, each lower by the square of the restitution, ends after a finite time: that is not waited for. Each with how fast
+    (m/s) it opens and how long (s) its bounces would have taken.
+    """
+    opening = {
+        i: rate
+        for i in near
+        if not (c := system.constraints[i]).two_sided
+        and mode.held[i] == "off"
+        and (rate := system.rate(time, y, c)) > sizes.speed
+        and c.restitution < 1.0
+    }
+    if not opening:
+        return {}
+    _, found, gained = system.held(time, y, y, mode)
+    acceleration = np.asarray(gained) + system.inverse(time) * found.total
+    slow: dict[int, tuple[float, float]] = {}
+    for i, rate in opening.items():
+        c = system.constraints[i]
+        pulled = float(np.array(c.row(time, y)) @ acceleration) + c.drift(time, y)
+        if pulled < 0.0 and rate * rate < -2.0 * pulled * sizes.bounce:
+            slow[i] = rate, -2.0 * rate / pulled / (1.0 - c.restitution)
+    return slow

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from corollary.scenes.motion.complementarity import consistent
-from corollary.scenes.motion.hits import settle_hits
+from corollary.scenes.motion.hits import settle_hits, small_bounces
 from corollary.scenes.motion.multipliers import Item, Status, answer
 from corollary.scenes.motion.onset import beginning
 from corollary.scenes.motion.path import Doubt
@@ -51,6 +51,8 @@ class Moment:
 
     def decided(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode:
         """Settle hits, then what holds. Raises GuardFailed where no forces of rigid bodies are consistent."""
+        if self.barred_rubs and (helped := self._helped(touching, sides)) is not None:
+            return helped
         if self.before is not None:
             # What has been held until now, steps have left a little off.
             project(self.system, self.time, self.y, *held_in(self.before))
@@ -63,9 +65,15 @@ class Moment:
         mode = self._at_rest(touching, sides) or self._settle_forces(touching, sides)
         resting: set[int] = set()
         for _ in range(len(self.system.constraints) + 1):
-            slow = self._small_bounces(mode)
+            slow = (
+                small_bounces(self.system, self.time, self.y, self._near(), mode, self.sizes)
+                if self.hits
+                else {}
+            )
             if not slow:
                 break
+            self.dropped = max(self.dropped, *(rate for rate, _ in slow.values()))
+            self.lasts = max(self.lasts, *(lasts for _, lasts in slow.values()))
             # What brings one to rest must not set another moving: two strings would wake each other for ever.
             resting |= {*slow, *held_in(mode)[0]}
             project(self.system, self.time, self.y, sorted(resting), [])
@@ -75,6 +83,19 @@ class Moment:
             for k, extra in left_over(self.system, self.time, self.y, self.before, mode):
                 project(self.system, self.time, self.y, held_in(mode)[0], [k], extra)
         return mode
+
+    def _helped(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode | None:
+        """The mode in which what has only touched until now helps to hold what would have begun to slip: a string that was about to be taut."""
+        assert self.before is not None
+        idle = [i for i in self._resting() if self.before.held[i] == "off"]
+        if not idle:
+            return None
+        try:
+            mode = replace(self, barred_rubs={}, y=list(self.y)).decided(touching, sides)
+        except GuardFailed:
+            return None
+        stays = all(mode.rubbed[k] == "stick" for k in self.barred_rubs if self.before.rubbed[k] == "stick")
+        return mode if stays and any(mode.held[i] == "on" for i in idle) else None
 
     def _resting(self) -> list[int]:
         """The constraints that could hold: closed, and not opening."""
@@ -251,29 +272,6 @@ class Moment:
             return (begun,) if goes_on else ("stick", (1.0,), (-1.0,))
         pull = math.hypot(*item.bias)
         return ("stick", tuple(float(b) / pull for b in item.bias)) if pull else ("stick",)
-
-    def _small_bounces(self, mode: Mode) -> list[int]:
-        """Constraints that open so slowly under what presses them that their bounces are lower than is looked at: they rest.
-
-        Bounce after bounce, each lower by the square of the restitution, ends after a finite time: that is not waited for.
-        """
-        system = self.system
-        opening = {i: self._rate(i) for i in self._near() if not system.constraints[i].two_sided}
-        opening = {i: r for i, r in opening.items() if mode.held[i] == "off" and r > self.sizes.speed}
-        opening = {i: r for i, r in opening.items() if system.constraints[i].restitution < 1.0}
-        if not opening or not self.hits:
-            return []
-        _, found, gained = system.held(self.time, self.y, self.y, mode)
-        acceleration = np.asarray(gained) + system.inverse(self.time) * found.total
-        slow: list[int] = []
-        for i, rate in opening.items():
-            c = system.constraints[i]
-            pulled = float(np.array(c.row(self.time, self.y)) @ acceleration) + c.drift(self.time, self.y)
-            if pulled < 0.0 and rate * rate < -2.0 * pulled * self.sizes.bounce:
-                slow.append(i)
-                self.dropped = max(self.dropped, rate)
-                self.lasts = max(self.lasts, -2.0 * rate / pulled / (1.0 - c.restitution))
-        return slow
 
 
 def _put(
