@@ -272,7 +272,8 @@ class Follower:
         if abs(now - self.energy) > allowed * size:
             raise GuardFailed(
                 f"{self.scene.name}: the energy changed by {(now - self.energy) / size:.1e} of itself; {allowed:.1e} is allowed."
-                + " Or is a potential not that of its function?" * any(f.may_be_brief for f in self.scene.forces),
+                + " Or is a potential not that of its function?"
+                * any(f.may_be_brief for f in self.scene.forces),
                 finer=True,
             )
 

@@ -14,7 +14,7 @@ from corollary.scenes.motion.multipliers import Item, Status, answer
 from corollary.scenes.motion.onset import beginning
 from corollary.scenes.motion.path import Doubt
 from corollary.scenes.motion.projection import project, push_out, same_twice
-from corollary.scenes.motion.reversal import left_over, slid, unseen
+from corollary.scenes.motion.reversal import left_over, not_yet, slid, unseen
 from corollary.scenes.motion.rivals import rivals
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
@@ -215,6 +215,9 @@ class Moment:
         if mode is None or any(mode.rubbed[k] != "stick" for k in slow):
             self.y[:] = before
             return None
+        if self.before is not None:
+            late = not_yet(system, self.time, before, self.before, self.y, mode, moving)
+            self.y[system.count :] = [v + d for v, d in zip(system.velocity(self.y), late, strict=True)]
         return mode
 
     def _presses(self, k: int, touching: Sequence[bool]) -> bool:

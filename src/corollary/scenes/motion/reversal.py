@@ -1,8 +1,8 @@
-"""A slip that is too slow to be seen: whether it has just begun or comes to its end, and what is left of it where it goes back at once."""
+"""A slip that is too slow to be seen: whether it has just begun or comes to its end, and what is left of it, or of what it does to others."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -63,8 +63,35 @@ def left_over(
             yield k, (back * (1.0 - will / was) * along).tolist()
 
 
+def not_yet(
+    system: System, time: float, y: State, before: Mode, stopped: State, mode: Mode, stops: Sequence[int]
+) -> list[float]:
+    """What bodies still gain (m/s, by components of the velocity) until rubs come to rest that are taken for it while they hardly slip in `y`.
+
+    Bodies that are tied to them feel what slips until then; in `stopped` and its mode they no longer do. What sticks gains nothing.
+    """
+    lasts = 0.0
+    for k in stops:
+        slip = np.array(system.slip(time, y, k))
+        speed = float(np.linalg.norm(slip))
+        slows = -float(slip @ _gained(system, time, y, before, k)) / speed if speed else 0.0
+        lasts = max(lasts, speed / slows) if slows > 0.0 else lasts
+    was, now = (_accelerations(system, time, *each) for each in ((y, before), (stopped, mode)))
+    axes = system.scene.axes
+    gains = lasts * (was - now)
+    for rub in (system.rubs[k] for k, status in enumerate(mode.rubbed) if status == "stick"):
+        for body in rub.bodies:
+            gains[axes * body : axes * body + axes] = 0.0
+    return gains.tolist()
+
+
+def _accelerations(system: System, time: float, y: State, mode: Mode) -> Array:
+    """Of each component of the velocity in a mode (m/s^2)."""
+    _, found, gained = system.held(time, y, y, mode)
+    return np.asarray(gained) + system.inverse(time) * found.total
+
+
 def _gained(system: System, time: float, y: State, mode: Mode, k: int) -> Array:
     """How fast a slip changes in a mode (m/s^2)."""
-    _, found, gained = system.held(time, y, y, mode)
-    acceleration = np.asarray(gained) + system.inverse(time) * found.total
+    acceleration = _accelerations(system, time, y, mode)
     return np.array(system.rubs[k].rows(time, y)) @ acceleration + np.array(system.rubs[k].drift(time, y))
