@@ -48,7 +48,7 @@ class Well(Force):
         a step would cost the method its order.
         """
         for i in range(len(scene.bodies)):
-            if math.hypot(*place(scene, since, i)) < self.edge:
+            if _inside(place(scene, since, i), self.edge) > 0.0:
                 x = place(scene, state, i)
                 r = math.hypot(*x)
                 yield i, [-self.k * (r - self.b) * c / r for c in x]
@@ -65,10 +65,6 @@ class Well(Force):
         """
         core = self.wall * (1.0 - LATE)
 
-        # Squares are as smooth as the way; seen from afar, distances have a kink beside the centre.
-        def within(y: State, i: int, reach: float) -> float:
-            return (reach * reach - sum(x * x for x in place(scene, y, i))) / (2.0 * reach)
-
         def turned(y: State, i: int) -> list[float]:
             x = place(scene, y, i)
             r = math.hypot(*x)
@@ -76,9 +72,14 @@ class Well(Force):
 
         for i, body in enumerate(scene.bodies):
             if not math.isinf(body.mass):
-                yield Event(lambda y, i=i: within(y, i, self.edge))
-                yield Event(lambda y, i=i: -within(y, i, core), i, lambda y, i=i: turned(y, i))
+                yield Event(lambda y, i=i: _inside(place(scene, y, i), self.edge))
+                yield Event(lambda y, i=i: -_inside(place(scene, y, i), core), i, lambda y, i=i: turned(y, i))
 
     @property
     def conserves(self) -> Conserves:
         return Conserves.ENERGY
+
+
+def _inside(x: Sequence[float], reach: float) -> float:
+    """How far (m) a place is within a reach of the origin, nearly: squares are as smooth as the way, distances bend beside the centre."""
+    return (reach * reach - sum(c * c for c in x)) / (2.0 * reach)

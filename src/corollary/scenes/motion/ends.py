@@ -17,6 +17,8 @@ from corollary.scenes.run import BadSetting
 
 # An overlap has to be so many roundings of a place deep.
 FINEST_OVERLAP = 1e4
+# Forces on what is lighter (kg) are below the numbers that have all their digits.
+LIGHTEST = 1e-305
 # A speed along a rod that is such a part of those of its ends is what rounding leaves: it is taken out.
 PARTING = 1e-6
 # Rods that hold the same motion are told by singular values, and what bends by such a part of what it could.
@@ -34,6 +36,10 @@ def refuse_bad_start(system: System, start: State, sizes: Sizes) -> None:
         raise BadSetting(
             f"{name}: bodies squeeze each other by about {sizes.deep:.1g} m, which places of {sizes.long:.1g} m do not show. "
             "Make contacts softer, or bodies less unequal, or move them nearer to the origin."
+        )
+    if light := [body.mass for body in system.scene.bodies if body.mass < LIGHTEST]:
+        raise BadSetting(
+            f"{name}: of forces on a body of {min(light):.3g} kg a computer holds too few digits; {LIGHTEST:g} kg or more is right."
         )
     for constraint in system.constraints:
         gap = constraint.gap(0.0, start)
