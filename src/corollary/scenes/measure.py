@@ -218,13 +218,9 @@ def _natural(scene: Scene, path: Trajectory, hot: float) -> dict[Observable, flo
 
 def _unmet(path: Trajectory, what: Observable) -> float:
     """What a contact would have been like that did not come about, to compare its error with; zero for everything else."""
-    match what:
-        case Observable.LARGEST_OVERLAP:
-            return path.deep
-        case Observable.DURATION:
-            return path.deep / path.fast
-        case _:
-            return 0.0
+    if what is Observable.LARGEST_OVERLAP:
+        return path.deep
+    return path.deep / path.fast if what is Observable.DURATION else 0.0
 
 
 def _shares(
@@ -281,9 +277,13 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
     if what is Observable.PERIOD:
         return unequal(scene, path)
     if what in (Observable.VELOCITIES, Observable.SPINS):
-        return path.dropped
+        return path.dropped + path.astray
+    if what is Observable.TRAJECTORY:
+        return path.astray * path.time
     if what in (Observable.IMPULSE, Observable.MOMENTUM):
-        return path.dropped * max((b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0)
+        return (path.dropped + path.astray) * max(
+            (b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0
+        )
     return 0.0
 
 

@@ -95,14 +95,15 @@ class Follower:
         except GuardFailed as error:
             raise GuardFailed(f"{self.scene.name}: {error}") from None
         path.state = moment.y
+        path.calmed = (path.time, moment.calmed) if moment.calmed else path.calmed
         for what in moment.doubts:
             path.doubt(what, path.time)
         if moment.dropped:
             ends = path.time + moment.lasts
             path.rests.append(ends)
-            if self.scene.until is not None and ends > self.scene.until:
-                path.dropped = max(path.dropped, moment.dropped)
-        # Hits that cost energy are settled at once: what is watched is each stretch between them.
+            late = self.scene.until is not None and ends > self.scene.until
+            path.dropped = max(path.dropped, moment.dropped * late)
+        # What is watched is each stretch between hits: these may cost energy.
         self.energy = energy(self.scene, path.time, path.state) if keeps_energy(self.scene, mode) else None
         return mode
 
@@ -239,6 +240,7 @@ class Follower:
             case "release":
                 moment.barred_constraints = frozenset({guard.number})
             case "break":
+                path.waken()
                 moment.barred_rubs = guards.broken(guard.number, path.time, path.state)
             case "stop":
                 moment.stopped = frozenset({guard.number})
@@ -249,11 +251,11 @@ class Follower:
     def _drifted(self, mode: Mode) -> bool:
         """Whether steps have moved bodies off what holds them by more than is allowed to one."""
         path = self.path
-        held = [c for c, s in zip(self.system.constraints, mode.held, strict=True) if s == "on"]
         return any(
             abs(c.gap(path.time, path.state)) > 0.1 * self.tolerance * self.sizes.place
             or abs(self.system.rate(path.time, path.state, c)) > 0.1 * self.tolerance * self.sizes.fast
-            for c in held
+            for c, status in zip(self.system.constraints, mode.held, strict=True)
+            if status == "on"
         )
 
     def _add(self, stretch: Stretch) -> None:
@@ -283,8 +285,7 @@ def follow(scene: Scene, tolerance: float, shift: float = 0.0, share: float = 1.
 
     With `shift` (m) every touch happens that much later, or earlier where it is negative: what a grazing touch depends on.
     `tolerance` is the error allowed to a step, relative to the size of the velocities and of the places (or overlaps) in the scene.
-    It is given up after a `share` of the steps that are allowed.
-    With an `until` each step tells how far it has got (`corollary.scenes.progress`).
+    It is given up after a `share` of the steps that are allowed. With an `until` each step tells how far it has got (`corollary.scenes.progress`).
     Raises BadSetting for a start that is impossible, GuardFailed when energy is lost, bodies overlap without a force, no forces of
     rigid bodies are consistent, or the end is not reached.
     """

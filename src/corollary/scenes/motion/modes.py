@@ -32,7 +32,7 @@ class Moment:
     `barred` are constraints that must let go and rubs that must slip (with the direction of the force that held them), because
     that is why the moment came, `stopped` are rubs that have just stopped slipping; `before` is the mode until then. `looks_ahead`: what
     holds is decided by what comes next, where it is not by what is. `hits` counts what was hit, `doubts` are what errors decide; `dropped` is the
-    speed (m/s) taken for none, and `lasts` how long (s) the bounces left out would have taken.
+    speed (m/s) taken for none, `calmed` that of a slip, `lasts` how long (s) the bounces left out would have taken.
     """
 
     system: System
@@ -47,6 +47,7 @@ class Moment:
     hits: int = 0
     doubts: set[Doubt] = field(default_factory=set[Doubt])
     dropped: float = 0.0
+    calmed: float = 0.0
     lasts: float = 0.0
 
     def decided(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode:
@@ -215,6 +216,7 @@ class Moment:
         if mode is None or any(mode.rubbed[k] != "stick" for k in slow):
             self.y[:] = before
             return None
+        self.calmed = max(math.dist(before, self.y), self.calmed)
         if self.before is not None:
             late = not_yet(system, self.time, before, self.before, self.y, mode, moving)
             self.y[system.count :] = [v + d for v, d in zip(system.velocity(self.y), late, strict=True)]
@@ -234,7 +236,6 @@ class Moment:
     ) -> Sequence[Item]:
         inverse, items = self.system.inverse(self.time), self._items(group, rubs, gains)
         where = f"at {self.time:.6g} s"
-        # What slips in a plane may only have turned.
         lines = {k for k in self.stopped if len(self.system.rubs[k].driven) == 1}
         rests = [False] * len(group) + [self._creeps(k) or k in lines for k in rubs]
         items, statuses = beginning(items, rests, inverse, where)

@@ -126,9 +126,9 @@ class Trajectory:
     """`happenings` are in order; `rests` the times (s) at which bounces without end were over.
 
     `doubts` are what errors decide, each with the time (s) at which it is met first (`doubt`); touches are doubted that are missed, or met,
-    by less than `near` (m). `dropped` is a speed (m/s) that was taken
-    for rest; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene, `allowed` (m) is what a step may be off. `fades`:
-    what faded held steps down, and errors with it. `turned` are the turns of the first body's distance, once they have been looked for.
+    by less than `near` (m). `dropped` is a speed (m/s) that was taken for rest; `astray` one of what went on at once, `calmed` when (s) and
+    how fast (m/s) a slip was taken for none last; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene, `allowed` (m)
+    is what a step may be off. `fades`: what faded held steps down, and errors with it. `turned` are the turns of the first body's distance, once they have been looked for.
     """
 
     count: int
@@ -141,6 +141,8 @@ class Trajectory:
     rests: list[float] = field(default_factory=list[float])
     evaluations: int = 0
     dropped: float = 0.0
+    astray: float = 0.0
+    calmed: tuple[float, float] = (-math.inf, 0.0)
     doubts: dict[Doubt, float] = field(default_factory=dict[Doubt, float])
     near: float = 0.0
     allowed: float = 0.0
@@ -156,6 +158,11 @@ class Trajectory:
     def doubt(self, what: Doubt, time: float) -> None:
         """Errors decide about something from a time (s) on."""
         self.doubts.setdefault(what, time)
+
+    def waken(self) -> None:
+        """Something begins to slip: if it was taken for at rest at this very moment, its speed is lost."""
+        if self.time - self.calmed[0] <= BRIEF * self.time:
+            self.astray = max(self.astray, self.calmed[1])
 
     def hits_before(self, time: float) -> int:
         """How many hits there have been by a time (s)."""
