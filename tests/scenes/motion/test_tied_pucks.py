@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 
 from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.function import ForceFunction
@@ -214,3 +215,92 @@ def test_a_block_held_on_an_incline_sticks(angle):
     incline = HardWall((math.sin(angle), math.cos(angle)), restitution=0.0, mu=2.0 * math.tan(angle))
     scene = Scene((Body(2.0, (0.0, 0.0), (0.0, 0.0)),), (Weight(G), incline), until=1.0)
     assert play(scene, {O.VELOCITIES}).outcome == "sticks"
+
+
+def slides_on(start, rates, until):
+    """What a motion from a state (time, places and velocities) comes to: the velocities."""
+    return solve_ivp(rates, (start[0], until), start[1], "DOP853", rtol=1e-13, atol=1e-16).y[4:, -1]
+
+
+@pytest.mark.parametrize("tolerance", [1e-8, 1e-10, 1e-12])
+def test_pucks_that_give_way_together_begin_to_slip_where_they_go(tolerance):
+    """Static friction twice the kinetic: the rod's pull jumps as both give way, and neither goes where it was held. From Gauss's principle."""
+    kinetic, static, until, along = 2.0, 4.0, 1.3, np.array([0.6, 0.8])
+
+    def push(t):
+        return np.array([3.0 + 4.0 * t, 2.0])
+
+    def margin(t):
+        part = push(t) @ along
+        return static + math.sqrt(static**2 - (push(t) - part * along) @ (push(t) - part * along)) - part
+
+    def left(force):
+        return force * (1.0 - kinetic / np.linalg.norm(force))
+
+    breaks = brentq(margin, 0.0, 0.87, xtol=1e-16)
+    pull = brentq(
+        lambda s: (left(-s * along) - left(push(breaks) + s * along)) @ along, -20.0, -kinetic - 1e-9
+    )
+    begins = np.concatenate([left(push(breaks) + pull * along), left(-pull * along)])
+
+    def rates(t, y):
+        apart, relative = y[2:4] - y[:2], y[6:] - y[4:6]
+        u, turns = apart / np.linalg.norm(apart), relative @ relative
+        forces = [f - kinetic * v / np.linalg.norm(v) for f, v in ((push(t), y[4:6]), (np.zeros(2), y[6:]))]
+        tie = ((forces[1] - forces[0]) @ u + turns) / 2.0
+        return np.concatenate([y[4:], forces[0] + tie * u, forces[1] - tie * u])
+
+    short = 1e-7
+    truth = slides_on((breaks + short, np.concatenate([[0.0, 0.0, 0.6, 0.8], begins * short])), rates, until)
+    forces = (
+        Rod((0, 1)),
+        Friction(0, 0.2, 10.0, 0.4),
+        Friction(1, 0.2, 10.0, 0.4),
+        ForceFunction(0, lambda t, x, v: tuple(push(t).tolist())),
+    )
+    scene = Scene((Body(1.0, (0.0, 0.0), (0.0, 0.0)), Body(1.0, (0.6, 0.8), (0.0, 0.0))), forces, until=until)
+    found = play(scene, {O.VELOCITIES}, tolerance)
+    for value, error, true in zip(
+        found.observed["velocities"], found.errors["velocities"], truth, strict=True
+    ):
+        assert abs(value - true) <= error + 2e-12  # the reference begins a little after the break
+        assert error < 1e-9
+
+
+@pytest.mark.parametrize("begun", [0.0, 0.11])
+@pytest.mark.parametrize(("aside", "axes", "until"), [(0.0, 1, 1.0), (0.0, 2, 1.0), (3.0, 2, 0.7)])
+def test_a_string_that_is_just_taut_helps_before_anything_gives_way(begun, aside, axes, until):
+    """A push toward the other puck, and then away: what both hold on the string is overcome at 0.9 s (0.765 s with a push aside), whenever it begins."""
+    rest = (0.0,) * (axes - 1)
+    push = ForceFunction(1, lambda t, x, v: (-1.0 + 10.0 * (t + begun), *([aside] * len(rest))))
+    forces = String((0, 1)), Friction(0, 0.2, 10.0, 0.4), Friction(1, 0.2, 10.0, 0.4), push
+    bodies = (
+        Body(1.0, (0.0, *rest), (0.0,) * axes),
+        Body(1.0, (1.0, *rest), (0.0,) * axes),
+    )
+    found = play(Scene(bodies, forces, until=until - begun), {O.VELOCITIES})
+    gained = (5.0 * (1.0**2 - 0.9**2) - (1.0 + 4.0) * 0.1) / 2.0 if until == 1.0 else 0.0
+    for i, value in enumerate(found.observed["velocities"]):
+        assert abs(value - (gained if i % axes == 0 else 0.0)) <= max(found.errors["velocities"]) < 1e-9
+
+
+@pytest.mark.parametrize("degrees", [0.0, 25.0])
+@pytest.mark.parametrize("mass", [0.5, 3.0])
+def test_a_puck_that_stops_on_its_belt_pulls_to_the_very_end(mass, degrees):
+    """Slowed down by the one behind it, until that rests on its belt and the string goes slack: in a plane as on a line, where a stop is exact."""
+    way, forward = (math.cos(math.radians(degrees)), math.sin(math.radians(degrees))), -1.0
+
+    def ended(axes):
+        def turned(x):
+            return (x * way[0], x * way[1]) if axes == 2 else (x,)
+
+        bodies = Body(1.0, turned(0.0), turned(forward)), Body(mass, turned(1.0), turned(forward))
+        forces = String((0, 1)), Friction(0, 0.05), Friction(1, 0.3, belt=turned(-0.3))
+        return play(Scene(bodies, forces, until=0.6), {O.VELOCITIES})
+
+    line, plane = ended(1), ended(2)
+    assert abs(line.observed["velocities"][0] + 0.3) > 0.02  # it has gone on alone
+    for i in range(2):
+        along = sum(v * w for v, w in zip(plane.observed["velocities"][2 * i : 2 * i + 2], way, strict=True))
+        off = abs(along - line.observed["velocities"][i])
+        assert off <= line.errors["velocities"][i] + 2.0 * max(plane.errors["velocities"]) < 1e-9

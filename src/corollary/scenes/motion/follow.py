@@ -57,8 +57,7 @@ class Follower:
         scene, path = self.scene, self.path
         mode = self._begin()
         while not self._over():
-            before = path.time
-            mode = self._phase(mode)
+            before, mode = path.time, self._phase(mode)
             self.at_once = self.at_once + 1 if path.time - before <= 1e-14 * max(path.time, 1e-300) else 0
             if self.at_once > MOST_AT_ONCE:
                 raise GuardFailed(
