@@ -36,3 +36,11 @@ def test_an_edge_within_the_rounding_of_the_settings_is_named():
 def test_what_is_lost_is_said_in_digits():
     found = conditioned("spheres", eta=0.0, dy=0.04 * (1.0 - 3e-7), q=1.0, k=1e12)
     assert any(each.startswith("largest_overlap changes") for each in found.warnings)
+
+
+@pytest.mark.parametrize("settings", [{"m1": 1000.0, "v0": 1e-305}, {"m1": 1000.0, "v0": 1e-310}])
+def test_a_condition_beyond_all_numbers_is_said(settings):
+    """A rocket that burns nothing and hardly moves: the mass that is left changes its speed by more than any number of times."""
+    found = conditioned("rocket", **settings)
+    assert max(each.condition for each in found.measured.values()) > 1e250
+    assert any("no more than 0" in each for each in found.warnings)

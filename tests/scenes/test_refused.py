@@ -467,3 +467,17 @@ def test_what_rounding_leaves_along_a_rod_is_taken_out():
     nail, hung = Body(inf, (0.0, 0.0), (0.0, 0.0)), Body(1.0, (0.0, -1.0), (0.0, -3.9e-16))
     found = play(Scene((nail, hung), (Rod((0, 1)), Weight(9.8)), until=1.0), {O.VELOCITIES})
     assert found.observed["velocities"] == pytest.approx((0.0,) * 4, abs=1e-15)
+
+
+@pytest.mark.parametrize("mass", [1e-320, 1e-308])
+def test_what_is_too_light_for_the_numbers_of_a_computer_is_refused(mass):
+    with pytest.raises(BadSetting, match="too few digits"):
+        play(Scene((Body(mass, (1.0,), (0.0,)),), (Weight(9.8),), until=1.0), {O.VELOCITIES})
+    light = play(Scene((Body(1e-300, (1.0,), (0.0,)),), (Weight(9.8),), until=1.0), {O.VELOCITIES})
+    assert light.observed["velocities"][0] == pytest.approx(-9.8, rel=1e-12)
+
+
+def test_a_potential_that_is_not_that_of_its_function_is_asked_for():
+    force = ForceFunction(0, lambda t, x, v: (-x[0],), energy=lambda x: 0.6 * x[0] ** 2)
+    with pytest.raises(GuardFailed, match="is a potential not that of its function"):
+        play(Scene((Body(1.0, (1.0,), (0.0,)),), (force,), until=3.0), {O.VELOCITIES})

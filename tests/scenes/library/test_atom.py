@@ -108,3 +108,19 @@ def test_it_passes_outside():
     found = run("atom", {"r0": (2.0, 1.5), "v0": (-5.0, 0.0)})
     assert found.outcome == "missed"
     assert found.observed["velocities"] == pytest.approx((-5.0, 0.0), abs=1e-14)
+
+
+@pytest.mark.parametrize("far", [3.0, 100.0, 1e4])
+@pytest.mark.parametrize("beside", [0.0, 0.3, 0.7, 1.2])
+def test_an_atom_that_comes_from_far_meets_the_well_and_its_core(far, beside):
+    """Where it goes must agree with how fast energy and angular momentum say it is: a step from far away leaps over the whole molecule."""
+    speed, start = 41.9, -1.07 * far
+    until = 1.5 * abs(start) / speed
+    scene = Scene((Body(2.0, (start, beside), (speed, 0.0)),), (Well(100.0, 1.0, 0.4),), until=until)
+    found = play(scene, {Observable.TRAJECTORY, Observable.VELOCITIES}, times=(until, 0.99 * until))
+    places, velocities = found.observed["trajectory"], found.observed["velocities"]
+    assert found.measured["velocities"].model != found.measured["trajectory"].model
+    for i in range(2):
+        gone = (places[i] - places[i + 2]) / (0.01 * until)
+        allowed = 2.0 * max(found.errors["trajectory"]) / (0.01 * until) + found.errors["velocities"][i]
+        assert abs(gone - velocities[i]) <= allowed + 1e-9 * speed

@@ -1,8 +1,10 @@
-"""A ball that its damping keeps on the floor."""
+"""A ball that its damping keeps on the floor, and one that only lies there."""
 
+import mpmath as mp
 import pytest
 
 from corollary.scenes.catalogue import run
+from corollary.scenes.run import BadSetting
 
 
 @pytest.mark.parametrize("q", [1.0, 1.5, 3.0])
@@ -31,3 +33,26 @@ def test_a_ball_that_its_weight_makes_faster_is_stopped_by_more_than_its_weight(
         hardest = max(hardest, force)
     assert found.observed["peak_force"] == pytest.approx(hardest, rel=1e-3)
     assert hardest > 1.05 * m * g
+
+
+@pytest.mark.parametrize("q", [1.0, 1.5, 2.5])
+def test_a_ball_laid_on_the_floor_sinks_in(q):
+    """From rest it goes to where the floor pushes q + 1 times as hard as weight, and back; the duration by tanh-sinh quadrature."""
+    m, k, g = 0.1, 1e6, 9.8
+    found = run("ball_on_floor", {"m": m, "k": k, "q": q, "y0": 0.02, "v0": 0.0, "g": g})
+    deep = ((q + 1.0) * m * g / k) ** (1.0 / q)
+    half = mp.quad(lambda u: 1 / mp.sqrt(u - u ** (mp.mpf(q) + 1)), [0, 0.5, 1])
+    wanted = {
+        "peak_force": (q + 1.0) * m * g,
+        "largest_overlap": deep,
+        "duration": float(mp.sqrt(2 * deep / g) * half),
+        "rebound_speed": 0.0,
+    }
+    assert found.outcome == "released"
+    for name, value in wanted.items():
+        assert found.observed[name] == pytest.approx(value, rel=1e-9)
+    assert "energy_ratio" not in found.observed
+    near = run("ball_on_floor", {"m": m, "k": k, "q": q, "y0": 0.02, "v0": -1e-9, "g": g})
+    assert near.observed["duration"] == pytest.approx(wanted["duration"], rel=1e-5)
+    with pytest.raises(BadSetting, match="lies on the floor"):
+        run("ball_on_floor", {"y0": 0.02, "v0": 0.0, "eta": 0.1})

@@ -5,6 +5,7 @@ import math
 import pytest
 
 from corollary.scenes.catalogue import run
+from corollary.scenes.run import BadSetting, GuardFailed
 
 
 def swinging_hit(k, m=1.0, block=2.0, length=1.0, g=9.8, steps=4000):
@@ -58,3 +59,15 @@ def test_a_sphere_that_all_but_stops_is_known_no_better_than_the_swing_lets_it()
     level, _ = swinging_hit(4.4e5, 9.0625, 9.0077, 0.11743, 25.112)
     off = abs(level**2 / (2.0 * 25.112) - found.observed["height"])
     assert 3.0 * found.observed["height"] < off < found.errors["height"]
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {"m": 1e300, "M": 1.7976931348623157e308, "L": 1e-300, "g": 1e-300, "k": 5e-324},
+        {"m": 1e300, "M": 1e-300, "L": 1.79e308, "g": 1.79e308, "k": 6e-256},
+    ],
+)
+def test_what_no_double_holds_is_refused_in_a_sentence(settings):
+    with pytest.raises((BadSetting, GuardFailed), match="number"):
+        run("pendulum_block", settings)
