@@ -125,6 +125,11 @@ def test_marks_of_a_pool_of_some_parts_and_of_two_banks(balls: ChangingBank) -> 
     assert dealt(balls)["ada"] == ["X1.1", dealt_code, "X12.4"]
     (one,) = done.report.handed_in
     assert one.out_of == one.points == balls.problem_set.out_of
+    words = ("report", "week", "--course", balls.course, "--bank", balls.bank.folder)
+    status, document, _ = run(*words, "--statistics", "--csv", balls.folder / "statistics.csv")
+    assert status == 0
+    counted = {(each["problem"], each["part"]) for each in document["statistics"]["parts"]}
+    assert counted == {*points, ("X12.4", "a")}  # of those asked alone
 
 
 @pytest.mark.usefixtures("no_gradebook")
