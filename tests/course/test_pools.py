@@ -160,6 +160,19 @@ def test_renewed_sheets_keep_what_was_dealt(balls: ChangingBank) -> None:
     assert all(set(codes) <= set(before[student]) for student, codes in after.items())
 
 
+@pytest.mark.usefixtures("no_gradebook")
+@pytest.mark.parametrize(("weight", "warned"), [(3, True), (1, False)])
+def test_sheets_out_of_different_totals_are_warned_of(balls: ChangingBank, weight: int, warned: bool) -> None:
+    as_set(balls, POOL.replace("X1.4]", f"{{code: X1.4, weight: {weight}}}]"))
+    roster = balls.folder / "roster.csv"
+    roster.write_text("id\nada\nben\n")
+    words = ("generate", "week", "--roster", roster, "--course", balls.course, "--bank", balls.bank.folder)
+    status, _, errors = run(*words)
+    assert status == 0
+    assert ("warning: sheets of week are out of different totals" in errors) is warned
+    assert ("(X1.2 3, X1.3 3, X1.4 9); even them out with weight:" in errors) is warned
+
+
 def test_problems_of_several_banks(balls: ChangingBank, tmp_path: Path) -> None:
     for front in ("- chapter/X12.4", "- {code: X12.4, bank: chapter}"):
         as_set(balls, f"title: A week\nproblems:\n  - X1.1\n  {front}\n")
