@@ -41,6 +41,16 @@ def test_files_lie_where_they_were_asked_for_and_json_lists_them(run, tmp_path: 
     assert (tmp_path / "two/small-1.txt").read_text() != (tmp_path / "two/small-2.txt").read_text()
 
 
+def test_parts_that_the_set_leaves_out_are_not_in_its_solution_either(run, tmp_path: Path) -> None:
+    (tmp_path / "some.md").write_text("---\ntitle: Some\nproblems:\n  - {code: X12.8, parts: [a, b]}\n---\n")
+    assert run("some.md", "--to", "md", "--solution")[0] == 0
+    whole = (tmp_path / "export/some.md").read_text()
+    assert "(b) Your velocity" in whole
+    assert "far slower than the ball" in whole
+    for left_out in ("(b2)", "(c)", "(c2)", "u_{1}", "after the catch"):
+        assert left_out not in whole
+
+
 def test_a_roster_gets_the_numbers_that_show_would_give(run, tmp_path: Path, monkeypatch, capsys) -> None:
     (tmp_path / "roster.csv").write_text("id,first_name\nada,Ada\nben,Ben\n")
     assert run("small.md", "--to", "md", "--roster", "roster.csv")[0] == 0

@@ -9,6 +9,10 @@ from xml.etree import ElementTree as Xml
 import pytest
 
 from corollary.cli.main import main
+from corollary.problem.bank import chapter_bank
+from corollary.problem.roster import Student
+from corollary.records.files import create_course
+from corollary.records.origin import write_origin
 
 SET = "---\ntitle: One exercise\nproblems:\n  - X12.5\n---\nOne exercise.\n"
 
@@ -44,6 +48,27 @@ def test_a_set_and_a_problem_by_its_code_are_pools(run, tmp_path: Path) -> None:
     assert (tmp_path / "export/small-moodle.xml").read_bytes() == first
     assert run("X12.5", "--to", "qti", "-o", "q")[0] == 0
     assert (tmp_path / "q/kicking_a_ball-qti.zip").exists()
+
+
+def test_in_a_course_its_own_sets_are_known(run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Their file lies outside of the bank."""
+    week = tmp_path / "week1.md"
+    week.write_text("---\ntitle: Week 1\nproblems:\n  - {code: X12.8, parts: [a, b]}\n---\n")
+    course = create_course(tmp_path / "mechanics", [Student("ada")])
+    write_origin(course, "week1", chapter_bank(), week)
+    assert run("week1", "--to", "moodle")[0] == 2
+    for to in ("moodle", "qti", "canvas", "numbas"):
+        status, out, errors = run("week1", "--to", to, "--course", "mechanics", "--json")
+        assert (status, errors) == (0, "")
+        assert [each["part"] for each in json.loads(out)["parts"]] == ["a", "b"]
+    monkeypatch.chdir(course.folder)
+    for numbers in ((), ("--variants", "2")):
+        status, out, _ = run("week1", "--to", "moodle", "--json", *numbers)
+        assert (status, json.loads(out)["set"]) == (0, "week1")
+    assert run("momentum_1", "--to", "moodle")[0] == 0  # never generated here
+    assert run("X12.5", "--to", "moodle")[0] == 0
+    questions = (course.folder / "export/week1-moodle.xml").read_text()
+    assert "after the catch" not in questions
 
 
 def test_the_table_says_how_each_part_is_carried(run) -> None:

@@ -23,7 +23,7 @@ from corollary.records.hand_in_time import settle_time
 from corollary.records.origin import set_of
 from corollary.records.report_model import report_of
 
-from .conftest import COMMAND
+from .conftest import COMMAND, grade
 
 NOW = datetime(2026, 12, 20, tzinfo=UTC)
 ROSTER = (
@@ -81,6 +81,30 @@ def when(course: Path, who: str) -> str:
     found = moment_of(open_course(course), "one", who)
     assert found is not None
     return f"{found:%d %H:%M}"
+
+
+def test_what_is_nobodys_stays_in_the_report_until_it_is_somebodys(course: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "came"
+    folder.mkdir()
+    (folder / "unnamed.ipynb").write_bytes(sheet(course, "ada", student=""))
+    (folder / "stranger.ipynb").write_bytes(sheet(course, "ben", student="zoe"))
+    (folder / "cyd.ipynb").write_bytes(sheet(course, "cyd"))
+    assert len(collected(course, folder).of(NOBODY)) == 2
+    opened = open_course(course)
+    problem_set = set_of(opened, str(course.parent / "one.md"))[1]
+    nobodys = dict(report_of(opened, problem_set).nobodys)
+    assert len(nobodys) == 2
+    assert any("says nothing of whose it is" in why for why in nobodys.values())
+    done = grade(course)
+    assert len(done.document["nobodys"]) == 2
+    page = Path(done.document["report"]).read_text()
+    assert "Collected, and nobody knows whose" in page
+    assert "made for zoe, who is not on the roster" in page
+    (folder / "unnamed.ipynb").rename(folder / "ada.ipynb")
+    collected(course, folder)
+    assert [file.rpartition("/")[2] for file, _ in report_of(opened, problem_set).nobodys] == [
+        "stranger.ipynb"
+    ]
 
 
 def test_moodles_archive_of_all_submissions(course: Path, tmp_path: Path) -> None:

@@ -8,16 +8,19 @@ from functools import partial
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 from nbgrader.api import Gradebook
 
 from corollary.atomic import write_whole
+from corollary.cli.commands import app
 from corollary.course.grade import Outcome, grade_set
 from corollary.course.marks_export import marks_table
 from corollary.grading.solutions import Solutions
+from corollary.problem.bank import chapter_bank
 from corollary.records.deadlines import Extension, write_extension
 from corollary.records.files import open_course
 from corollary.records.marks_table import Notation
-from corollary.records.origin import set_of
+from corollary.records.origin import set_of, write_origin
 from corollary.records.report_model import report_record
 from corollary.sandbox.runner import Runner
 
@@ -159,3 +162,38 @@ def test_a_course_from_before_there_were_settings_keeps_its_marks(graded: Path):
     outcome = grade_set(opened, problem_set, Solutions(bank), partial(Runner, require=0), jobs=1)
     assert (outcome.graded, len(outcome.skipped), set(points(outcome).values())) == ((), 3, {5.0})
     assert not (graded / "corollary.toml").exists()
+
+
+def test_more_time_after_solutions_were_out_is_warned_of_and_what_is_held_back_said(
+    course: Path, monkeypatch: pytest.MonkeyPatch
+):
+    """By the command, so by the clock: everything here is years ago or ahead."""
+    (course.parent / "one.md").write_text(
+        SET.replace("2026-12-04", "2020-12-04").replace("reveal: yes", "reveal: after extensions")
+    )
+    write_origin(open_course(course), "one", chapter_bank(), course.parent / "one.md")
+    (course / ".corollary" / "extensions" / "one" / "cyd.json").unlink()
+    monkeypatch.chdir(course)
+
+    def run(*words: str) -> str:
+        done = CliRunner().invoke(app, list(words), catch_exceptions=False)
+        assert done.exit_code == 0, done.stderr
+        return " ".join(done.stderr.split())
+
+    until = ("2999-12-11", "18:00")
+    assert "worked solutions" not in run("extend", "cyd", "one", *until)
+    run("extend", "cyd", "one", "--remove")
+    assert "held back" not in run("grade", "one", "--yes")
+    assert all(WORKED in page for page in pages(course).values())
+    assert run("extend", "ben", "one", *until).startswith(
+        "warning: worked solutions of one stand in 3 feedback pages already, with other numbers and the same formulas: "
+        "ben may have seen them. The next corollary grade one takes them out until Wednesday 11 December 2999, 18:00"
+    )
+    told = run("grade", "one", "--yes")
+    assert (
+        "worked solutions are held back from all feedback pages until then, and taken out of the 3 that"
+        in told
+    )
+    assert not any(WORKED in page for page in pages(course).values())
+    again = run("grade", "one", "--yes")
+    assert "held back from all feedback pages until then (reveal: after extensions)" in again

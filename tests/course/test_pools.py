@@ -125,6 +125,11 @@ def test_marks_of_a_pool_of_some_parts_and_of_two_banks(balls: ChangingBank) -> 
     assert dealt(balls)["ada"] == ["X1.1", dealt_code, "X12.4"]
     (one,) = done.report.handed_in
     assert one.out_of == one.points == balls.problem_set.out_of
+    words = ("report", "week", "--course", balls.course, "--bank", balls.bank.folder)
+    status, document, _ = run(*words, "--statistics", "--csv", balls.folder / "statistics.csv")
+    assert status == 0
+    counted = {(each["problem"], each["part"]) for each in document["statistics"]["parts"]}
+    assert counted == {*points, ("X12.4", "a")}  # of those asked alone
 
 
 @pytest.mark.usefixtures("no_gradebook")
@@ -153,6 +158,19 @@ def test_renewed_sheets_keep_what_was_dealt(balls: ChangingBank) -> None:
     after = dealt(balls)
     assert all(len(codes) == 2 and codes[0] == "X1.1" for codes in after.values())
     assert all(set(codes) <= set(before[student]) for student, codes in after.items())
+
+
+@pytest.mark.usefixtures("no_gradebook")
+@pytest.mark.parametrize(("weight", "warned"), [(3, True), (1, False)])
+def test_sheets_out_of_different_totals_are_warned_of(balls: ChangingBank, weight: int, warned: bool) -> None:
+    as_set(balls, POOL.replace("X1.4]", f"{{code: X1.4, weight: {weight}}}]"))
+    roster = balls.folder / "roster.csv"
+    roster.write_text("id\nada\nben\n")
+    words = ("generate", "week", "--roster", roster, "--course", balls.course, "--bank", balls.bank.folder)
+    status, _, errors = run(*words)
+    assert status == 0
+    assert ("warning: sheets of week are out of different totals" in errors) is warned
+    assert ("(X1.2 3, X1.3 3, X1.4 9); even them out with weight:" in errors) is warned
 
 
 def test_problems_of_several_banks(balls: ChangingBank, tmp_path: Path) -> None:

@@ -16,14 +16,14 @@ STEPS = 'return derivation(step(p, "Mass times velocity.", momentum(p, m, v), an
 
 def test_the_givens_that_occur_are_named(solved):
     solution = solved(STEPS)
-    assert introduced(solution, solution.problem) == ["*Letters:* $m$ (mass), $v$ (speed).", ""]
+    assert introduced(solution.unknowns, solution.problem) == ["*Letters:* $m$ (mass), $v$ (speed).", ""]
     with language("de"):
-        assert introduced(solution, solution.problem)[0].startswith("*Buchstaben:* $m$ (")
+        assert introduced(solution.unknowns, solution.problem)[0].startswith("*Buchstaben:* $m$ (")
 
 
 def test_a_given_that_stands_in_no_law_but_in_what_it_comes_to_is_named(solved):
     found = solved('return derivation(step(p, "So.", law("Two", "p = 2*q", q=m*v), answers="a"))')
-    assert introduced(found, found.problem)[0] == "*Letters:* $m$ (mass), $v$ (speed)."
+    assert introduced(found.unknowns, found.problem)[0] == "*Letters:* $m$ (mass), $v$ (speed)."
 
 
 def test_a_constant_of_nature_has_a_line_of_its_own(solved):
@@ -32,7 +32,7 @@ def test_a_constant_of_nature_has_a_line_of_its_own(solved):
         front=FRONT.replace("require:", "constants: [c]\nrequire:"),
         asks=ASKS.replace("kg*m/s", "J"),
     )
-    assert introduced(found, found.problem)[0] == "*Letters:* $m$ (mass)."
+    assert introduced(found.unknowns, found.problem)[0] == "*Letters:* $m$ (mass)."
 
 
 PULLED = """

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
 
+from corollary.derive.asked_steps import asked_steps
 from corollary.derive.solve import solve
 from corollary.derive.worked_solution import worked_solution
+from corollary.formula.ast import names
 from corollary.grading.key import make_key
 from corollary.grading.neglect import neglects
 from corollary.grading.solutions import Solutions
@@ -51,6 +54,45 @@ def test_a_find_nobody_asks_about_is_told_too():
 def test_other_numbers_are_another_story():
     assert told("X12.5", 1) != told("X12.5", 2)
     assert told("X12.5", 1) == told("X12.5", 1)
+
+
+def with_parts(code: str, *asked: str) -> str:
+    """As a set tells it that asks these parts."""
+    problem = find(BANK, code)
+    parts = tuple(part for part in problem.parts if part.id in asked)
+    return Solutions(BANK).worked_solution(chapter(replace(problem, parts=parts, written=problem)))
+
+
+def test_what_a_set_leaves_out_is_not_told():
+    text = with_parts("X12.8", "a", "b")
+    assert re.findall(r"### \((.+?)\)", text) == ["a", "b"]
+    for left_out in ("b2", "u_{1}", "V_{1}", "Newton's first law", "your son's mass"):
+        assert left_out not in text
+    assert text.rstrip().endswith("since you are far heavier.")
+    assert "First find" not in with_parts("X12.5", "a")  # nobody asks for it, and only (d) needs it
+
+
+def test_what_is_left_out_and_needed_is_a_step_and_no_answer():
+    text = with_parts("X12.8", "c")
+    assert re.findall(r"### \((.+?)\)", text) == ["c"]
+    order = [text.index(words) for words in ("**First find $p_{x}$", "**First find $V$.**", "### (c)")]
+    assert order == sorted(order)
+    assert "u_{1}" not in text
+
+
+@pytest.mark.parametrize("code", [problem.code for problem in BANK if len(problem.parts) > 1])
+def test_each_part_alone_is_told_from_what_is_given(code):
+    """No equation has a letter of something that is left out and not found first."""
+    solution, problem = Solutions(BANK).of(find(BANK, code)), find(BANK, code)
+    for part in problem.parts:
+        shown = asked_steps(solution, {part.id})
+        found = {name for find in shown.values() for name in (*find.names, *find.aside)}
+        hidden = {name for find in solution.unknowns for name in find.names} - found
+        for find_ in shown.values():
+            assert find_.part in ("", part.id)
+            assert not hidden & {name for law in find_.laws for here in law.here for name in names(here)}
+        text = with_parts(code, part.id)
+        assert re.findall(r"^### \((.+?)\)", text, re.MULTILINE) in ([], [part.heading_letter])
 
 
 def test_refused_roots_other_ways_choices_and_programs():

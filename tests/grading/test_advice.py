@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 
 from corollary.answers.verdict import Mistaken, Slip, Wrong
 from corollary.formula.text import text
+from corollary.grading.advice import advice
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
@@ -144,3 +146,13 @@ def test_an_angle_answered_in_degrees_is_told_in_degrees():
         said = next(part.feedback for part in grade(key, judged, reveal=True).parts if part.part.id == "c3")
         assert said.endswith(f"{sign}."), said
         assert (degrees in said) == (sign == "°"), said
+
+
+def test_advice_names_no_answer_that_a_set_leaves_out():
+    key = key_of("X12.8")
+    (part,) = (each for each in key.variant.problem.parts if each.id == "c")
+    assert "your answer in (b)" in advice(key, part)
+    problem = replace(key.variant.problem, parts=(part,), written=key.variant.problem)
+    alone = advice(replace(key, variant=replace(key.variant, problem=problem)), part)
+    assert "your answer" not in alone
+    assert "mass of the snowball" in alone

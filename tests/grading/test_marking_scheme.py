@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -121,3 +122,13 @@ def test_how_far_an_answer_may_be_off_is_rounded_to_the_inside_at_the_same_place
             step = Fraction(10) ** found.place
             assert allowed - step * (1 + Fraction(1, 10**6)) < found.reach <= allowed
             assert found.reach % step == 0
+
+
+def test_nothing_is_carried_from_an_answer_that_a_set_leaves_out():
+    key, parts = of("X12.8")
+    assert {each.earlier for each in parts["c2"].carried} >= {("a",)}
+    whole = key.variant.problem
+    some = replace(whole, parts=tuple(part for part in whole.parts if part.id in ("b", "c2")), written=whole)
+    b, c2 = marking_scheme(replace(key, variant=replace(key.variant, problem=some)), SCHEME)
+    assert not b.carried
+    assert all(each.earlier == ("b",) for each in c2.carried)

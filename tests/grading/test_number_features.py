@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -22,4 +23,8 @@ def test_a_kick_has_its_figures_size_and_sign():
     assert found["a"]["figures"] == 2 + 3
     assert found["a"]["size"] == pytest.approx(math.log10(8.815))
     assert found["a"]["negative"] == 0
+    problem = replace(
+        problem, parts=problem.parts[:1], written=problem
+    )  # as a set asks it that leaves parts out
+    assert number_features(Solutions(bank).key(Variant(problem, values, None))) == {"a": found["a"]}
     assert all(-9 <= part["cancellation"] < 0 for part in found.values())

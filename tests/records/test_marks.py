@@ -102,7 +102,7 @@ def test_a_record_of_an_older_version_is_read_and_reported(course: Course, of: P
     place(course, of).parent.mkdir(parents=True)
     place(course, of).write_text(json.dumps(OF_VERSION_0_1, ensure_ascii=False))
     (course.folder / ".corollary/sharing").mkdir()
-    shared = [{"student": "ada", "other": "bo", "parts": ["X12_5_a"], "chance": 0.25}]
+    shared = [{"student": "ada", "other": "bo", "parts": ["X12_5_a"], "chance": 0.01}]
     (course.folder / f".corollary/sharing/{of.name}.json").write_text(json.dumps(shared))
     record = read_record(course, of, "ada")
     assert record is not None
@@ -114,7 +114,7 @@ def test_a_record_of_an_older_version_is_read_and_reported(course: Course, of: P
     assert (record.parts["X12_5_a"].mistake, record.parts["X12_5_e"].rubric) == ("Add.", ())
     found = report_of(course, of)
     assert [(met.text, met.students) for met in found.met] == [("Add.", ("ada",))]
-    assert [(one.other, one.parts, one.chance) for one in found.shared] == [("bo", ("X12_5_a",), 0.25)]
+    assert [(one.other, one.parts, one.chance) for one in found.shared] == [("bo", ("X12_5_a",), 0.01)]
     assert found.missing == ("bo",)
 
 

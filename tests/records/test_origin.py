@@ -62,6 +62,23 @@ def test_a_set_outside_the_bank_is_found_again_by_name_or_by_path(
     assert (bank.folder, found.title) == (foreign.folder, "More kicks")
 
 
+def test_with_another_bank_it_is_still_the_sets_own_file(
+    course: Course, foreign: Bank, tmp_path: Path
+) -> None:
+    """As after the chapter's bank was copied to correct a solution."""
+    file = tmp_path / "week1.md"
+    file.write_text(SET.replace("Kicks", "Week 1"))
+    write_origin(course, "week1", chapter_bank(), file)
+    bank, found = set_of(course, "week1", foreign.folder)
+    assert (bank.folder, found.title) == (foreign.folder, "Week 1")
+    file.unlink()
+    with pytest.raises(UnknownCode, match=r"theirs has no set week1, and the file .* is gone") as gone:
+        set_of(course, "week1", foreign.folder)
+    assert "is lost" not in str(gone.value)
+    (foreign.sets / "week1.md").write_text(SET)
+    assert set_of(course, "week1", foreign.folder)[1].title == "Kicks"
+
+
 def test_without_a_record_it_is_the_chapters_and_a_damaged_one_is_told(course: Course) -> None:
     assert set_of(course, "momentum_1")[0] == chapter_bank()
     path = course.folder / ".corollary" / "origin" / "momentum_1.json"

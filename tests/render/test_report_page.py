@@ -9,8 +9,11 @@ from pathlib import Path
 
 import pytest
 
+from corollary.records.collusion import Shared
 from corollary.records.estimate import Estimate
 from corollary.records.fairness import FeatureEffect
+from corollary.records.record import HandedIn
+from corollary.records.report_model import report
 from corollary.records.set_statistics import set_statistics
 from corollary.render.report_page import intervals, report_page
 
@@ -34,13 +37,28 @@ def test_the_page_holds_the_report_and_needs_nothing_beside_it(of):
     assert {way for way in page.out if "formgrader" not in way} == {*ways, "form", "script"}
     assert "2 handed in, 1 missing" in page.words
     assert "3.38 mean of 12 points" in page.words
-    assert "50 % came late" in page.words
+    assert "1 came late" in page.words
     assert "You forgot the" in page.words
     assert "ada, eve" in page.words
     assert "late, 50 % kept" in page.words
     assert "a person reads this" in page.words
     assert "1 student cy" in page.words
     assert text == report_page(found, of)
+
+
+def test_different_totals_are_in_per_cent_and_coincidences_counted(of):
+    handed = [HandedIn("ada", "Ada", 12.0, 16.0), HandedIn("ben", "Ben", 19.0, 19.0)]
+    fits = [Shared("ada", "ben", ("X12_5_a",), 0.56)] * 2
+    words = Page(
+        report_page(report(handed, [], shared=fits, nobodys=[("who.ipynb", "says nothing")]), of)
+    ).words
+    assert "88 % mean of the own sheet’s points" in words
+    assert "Totals are in per cent, for sheets are out of 16 or 19 points." in words
+    assert "Per cent Students" in words
+    assert "0 came late" in words
+    assert "2 times a wrong answer fits somebody else's numbers" in words
+    assert "Nobody is punished" not in words
+    assert "Collected, and nobody knows whose: who.ipynb : says nothing" in words
 
 
 def test_statistics_stand_in_the_page_where_they_are_asked_for(of):

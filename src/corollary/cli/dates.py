@@ -6,6 +6,7 @@ from datetime import UTC, datetime
 
 from corollary.cli.corrected import named
 from corollary.cli.ending import refuse, say
+from corollary.nbgrader.marks import with_solutions
 from corollary.problem.dates import written
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.deadlines import read_deadlines, reveal_by_hand
@@ -48,6 +49,12 @@ def warn_of_grading_early(course: Course, problem_set: ProblemSet, at: datetime 
             f"{', '.join(more)} {'has' if len(more) == 1 else 'have'} more time in {problem_set.name}, until {written(last)} at the "
             "latest, and may still hand in"
         )
+        if deadlines.reveal == "after extensions":
+            out = with_solutions(course, problem_set.name)
+            addition = f", and taken out of the {len(out)} that have them" if out else ""
+            say(
+                f"worked solutions are held back from all feedback pages until then{addition} (reveal: after extensions)"
+            )
 
 
 def warn_of_printed_dates(course: Course, problem_set: ProblemSet) -> None:

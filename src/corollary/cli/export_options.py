@@ -46,7 +46,7 @@ def refuse_what_is_for_others(chosen: Target, given: ExportOptions) -> None:
     _refuse_options_of_paper(
         chosen, ("--formula-sheet", given["formula_sheet"]), ("--large-print", given["large_print"])
     )
-    of_students = given["course"] is not None or given["roster"] is not None or given["forms"] is not None
+    of_students = given["roster"] is not None or given["forms"] is not None
     if given["solution"] and (chosen.site or chosen.items is not None):
         refuse(f"--solution is for sheets, and {to} always has the worked solutions; leave it out")
     if given["solution"] and (chosen.marks is not None or chosen.feedback is not None):
@@ -55,7 +55,7 @@ def refuse_what_is_for_others(chosen: Target, given: ExportOptions) -> None:
         refuse_options_of_marks(given)
         if given["apart"]:
             refuse(f"--apart is for questions of an LMS; leave it out for {to}")
-        if of_students:
+        if of_students or given["course"] is not None:
             refuse(f"{to} is for everybody; say how many variants of each problem with --variants")
         return
     if given["left_out"] or given["pyodide"]:

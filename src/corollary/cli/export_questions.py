@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import asdict
+from pathlib import Path
 
 from corollary.cli.console import console
 from corollary.cli.ending import HOLDS, answer, say
 from corollary.cli.export_options import USUAL_FOLDER, ExportOptions
+from corollary.cli.left_out import course_around
 from corollary.course.export import write_files
 from corollary.course.item_export import Exported, export_items
 from corollary.messages import few
+from corollary.records.files import Course, NotACourse, open_course
 from corollary.render.exports import Target
 
 
 def run(chosen: Target, names: Sequence[str], given: ExportOptions) -> int:
-    """Of each set, or problem, by itself."""
+    """Of each set, of the course too, or problem, by itself."""
+    course = _course(given["course"])
     records: list[dict[str, object]] = []
     for name in names:
-        made = export_items(chosen, given["bank"], name, given["variants"], given["apart"])
+        made = export_items(chosen, given["bank"], name, given["variants"], given["apart"], course)
         written = [str(path) for path in write_files(given["output"] or USUAL_FOLDER, made.files)]
         records.append(
             {
@@ -35,6 +40,16 @@ def run(chosen: Target, names: Sequence[str], given: ExportOptions) -> int:
     if given["as_json"]:
         answer(records[0] if len(records) == 1 else records)
     return HOLDS
+
+
+def _course(named: Path | None) -> Course | None:
+    """The one named, else the one around, where there is one in which something was generated."""
+    if named is not None:
+        return open_course(named)
+    around = course_around()
+    with suppress(NotACourse):
+        return None if around is None else open_course(around)
+    return None
 
 
 def _show(made: Exported, written: Sequence[str], wanted: int | None) -> None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from corollary.cli.dates import now
 from corollary.cli.ending import HOLDS, answer, refuse, say
+from corollary.nbgrader.marks import with_solutions
 from corollary.problem.dates import HOW_TO_WRITE, moment, written
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.deadlines import (
@@ -50,6 +52,7 @@ def run(
         sentence = f"{who} has {'no longer' if found else 'neither'} an extension {'or' if found else 'nor'} an excuse in {problem_set.name}"
     else:
         extension = Extension(excused=True) if excuse else _until(opened, problem_set, when)
+        _warn_of_what_is_out(opened, problem_set, who, extension)
         write_extension(opened, problem_set.name, who, extension)
         sentence = _sentence((who, problem_set.name, extension))
     if as_json:
@@ -61,6 +64,24 @@ def run(
             f"{who} has marks in {problem_set.name} already; corollary grade {problem_set.name} brings them up to date"
         )
     return HOLDS
+
+
+def _warn_of_what_is_out(course: Course, problem_set: ProblemSet, who: str, extension: Extension) -> None:
+    """Before more time is given: worked solutions that stand in feedback pages already."""
+    until, name = extension.until, problem_set.name
+    if until is None or until <= now():
+        return
+    if out := with_solutions(course, name):
+        pages = "1 feedback page" if len(out) == 1 else f"{len(out)} feedback pages"
+        say(
+            f"warning: worked solutions of {name} stand in {pages} already, with other numbers and the same formulas: "
+            f"{who} may have seen them"
+            + (
+                f". The next corollary grade {name} takes them out until {written(until)}, but not what was read or kept"
+                if problem_set.reveal == "after extensions"
+                else ""
+            )
+        )
 
 
 def _until(course: Course, problem_set: ProblemSet, text: str) -> Extension:

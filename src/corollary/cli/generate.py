@@ -46,6 +46,7 @@ def run(
     if students is None:
         return FAILS
     warn_of_dates(problem_set)
+    warn_of_pools(problem_set)
     check_config(course)
     for problem in problem_set.problems:  # whatever can be refused is, before the first file is written
         solutions.of(problem)
@@ -120,6 +121,20 @@ def run(
             "nbgrader is not installed, so there is no gradebook.db: pip install 'corollary[nbgrader]' and generate again to have one"
         )
     return HOLDS
+
+
+def warn_of_pools(problem_set: ProblemSet) -> None:
+    """The problems of a pool earn different points, so that not every sheet is out of the same."""
+    for pool in problem_set.pools:
+        dealt = {
+            each.code: problem_set.points(each) for each in problem_set.problems if each.code in pool.codes
+        }
+        if len(set(dealt.values())) > 1:
+            each = ", ".join(f"{code} {most:g}" for code, most in dealt.items())
+            say(
+                f"warning: sheets of {problem_set.name} are out of different totals, for the problems of a pool have unequal "
+                f"points ({each}); even them out with weight: or points: in the set's file"
+            )
 
 
 def _whose_own(made: Generated) -> str:

@@ -135,6 +135,7 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
             student: {"taken_as": guess.moment.isoformat(), "found": guess.found}
             for student, guess in done.guessed.items()
         },
+        "nobodys": [{"file": file, "why": why} for file, why in done.report.nobodys],
         "written": done.written,
         "changed": [asdict(each) | {"by": round(each.by, 6)} for each in done.changed],
         "students": {

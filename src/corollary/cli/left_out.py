@@ -88,4 +88,6 @@ def find_course(start: Path) -> Path | None:
 def _has_room_for_a_course(options: Mapping[str, Any]) -> bool:
     """Whether a course that nobody named may choose the numbers: nothing else does, and a student is named where one must be."""
     chosen = tuple(map(options.get, ("roster", "variants", "variant", "forms")))
+    if options.get("to") == "site":
+        return False  # it is for everybody
     return not any(each is not None for each in chosen) and options.get("student", "") is not None

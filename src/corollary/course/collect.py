@@ -15,7 +15,16 @@ from corollary.messages import few
 from corollary.problem.dates import machine_zone
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assigned import read_assigned
-from corollary.records.collected import OLDER, UNUSABLE, Arrival, keep, read_arrivals, remember, writable
+from corollary.records.collected import (
+    NOBODY,
+    OLDER,
+    UNUSABLE,
+    Arrival,
+    keep,
+    read_arrivals,
+    remember,
+    writable,
+)
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.hand_in_time import guessed_time
@@ -95,7 +104,7 @@ def collect(
             for each in theirs:
                 keep(course, name, student, each.content)
     if not dry_run:
-        remember(course, name, arrivals)
+        remember(course, name, sorted(arrivals, key=lambda each: each.outcome == NOBODY))
     if moved:
         remarks.append(f"{len(moved)} there already get the time of the worksheet: {few(moved, 12)}")
     came = there.keys() | by_student.keys()

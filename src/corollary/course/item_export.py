@@ -11,8 +11,10 @@ from corollary.grading.assign import NoVariant
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import Bank, UnknownCode, home
 from corollary.problem.problem import Problem
-from corollary.problem.problem_set import ProblemSet, Scheme, bank_of_set, find_set, set_names
+from corollary.problem.problem_set import Scheme, bank_of_set, find_set, set_names
 from corollary.problem.variant import Variant, chapter
+from corollary.records.files import Course
+from corollary.records.origin import has_set, set_of
 from corollary.render.answer_table import answer_table
 from corollary.render.exports import CarriedPart, Target
 from corollary.render.item import LmsItem, item
@@ -30,14 +32,20 @@ class Exported:
 
 
 def export_items(
-    target: Target, folder: Path | None, name: str, variants: int | None, apart: bool
+    target: Target,
+    folder: Path | None,
+    name: str,
+    variants: int | None,
+    apart: bool,
+    course: Course | None = None,
 ) -> Exported:
-    """A set, or one problem by its code, as questions of an LMS; `variants` of each problem (None: the chapter's numbers).
+    """A set, of the `course` where it has one of that name, or one problem by its code, as questions of an LMS; `variants` of each
+    problem (None: the chapter's numbers).
 
     Raises UnknownCode, Malformed, NotDerivable, and Undefined where the chapter's numbers have no answer.
     """
     assert target.items is not None
-    bank, title, short, weighed, scheme = _chosen(folder, name)
+    bank, title, short, weighed, scheme = _chosen(folder, name, course)
     solutions = Solutions(bank)
     items = [
         item(solutions, variant, number, weight, scheme)
@@ -53,11 +61,17 @@ def export_items(
     return Exported(title, files, made.parts, made.lost, count)
 
 
-def _chosen(folder: Path | None, name: str) -> tuple[Bank, str, str, Sequence[tuple[Problem, float]], Scheme]:
+def _chosen(
+    folder: Path | None, name: str, course: Course | None
+) -> tuple[Bank, str, str, Sequence[tuple[Problem, float]], Scheme]:
     """The bank, a title, a name for files, the problems with their weights, and what verdicts earn."""
     bank = bank_of_set(folder, name)
     try:
-        found: ProblemSet = find_set(bank, name)
+        bank, found = (
+            set_of(course, name, folder)
+            if course is not None and has_set(course, name)
+            else (bank, find_set(bank, name))
+        )
     except UnknownCode as unknown:
         try:
             bank, problem = home(folder, name)

@@ -106,7 +106,8 @@ def identified(
     number = f"{lms.lms} {lms.number}" if lms else ""
 
     def left(student: str | None, outcome: str, why: str) -> Arrival:
-        return Arrival(student or "", member.name, "", outcome, why, number=number)
+        digest = digest_of(member.content) if isinstance(member.content, bytes) else ""
+        return Arrival(student or "", member.name, "", outcome, why, digest, number)
 
     if member.content is None:
         packed = member.name.lower().endswith(PACKED)

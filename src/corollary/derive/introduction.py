@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Iterator
 from itertools import chain, groupby
 
 from corollary.derive.solution import Solution, Unknown
+from corollary.derive.typeset_numbers import quantity
 from corollary.formula.ast import Name, names
 from corollary.formula.latex import letter
 from corollary.messages import catalogue
@@ -16,14 +17,22 @@ _ = catalogue(__name__)
 FEW = 6  # letters that a heading has room for; a matrix has as many as forty
 
 
-def introduced(solution: Solution, problem: Problem) -> list[str]:
-    """A line that names the givens that occur, and an empty one; constants of nature have a line of their own. `problem` is in
-    the language spoken."""
-    found = solution.unknowns
+def introduced(found: Collection[Unknown], problem: Problem) -> list[str]:
+    """A line that names the givens that occur where these are found, and an empty one; constants of nature have a line of their
+    own. `problem` is in the language spoken."""
     used = frozenset[str]().union(*map(_in_laws, found))
     used |= frozenset[str]().union(*(names(tree) for each in found for tree in each.in_givens or ()))
     given = {each.symbol: each.meaning for each in problem.givens if each.symbol in used and not each.source}
     return _line((name, meaning) for name, meaning in given.items() if meaning)
+
+
+def constants_of_nature(problem: Problem) -> list[str]:
+    """A line for each: its value, what it is, and where the value is from."""
+    return [
+        f"- ${letter(given.symbol)} = {quantity(float(given.value), given.unit)}$, {given.meaning} ({given.source})"
+        for given in problem.givens
+        if given.source
+    ]
 
 
 def asked_for(find: Unknown) -> str:

@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from corollary.answers.options import option_named
+from corollary.derive.asked_steps import asked_steps
 from corollary.derive.chain import broken, without_repetition
-from corollary.derive.introduction import asked_for, explained, found_first, introduced
+from corollary.derive.introduction import asked_for, constants_of_nature, explained, found_first, introduced
 from corollary.derive.listed_forces import listed_forces
 from corollary.derive.solution import (
     AppliedLaw,
@@ -27,7 +28,6 @@ from corollary.formula.latex import latex, letter
 from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
 from corollary.messages import catalogue, in_convention
-from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.statement import formulas_in_convention
 from corollary.problem.translation import in_language
@@ -67,15 +67,18 @@ def worked_steps(
     letters: Mapping[str, str],
     neglected: Sequence[tuple[float, float]],
 ) -> Iterator[str]:
-    """The same step by step: what is found, one after the other, and then what needs no finding."""
-    problem = in_language(solution.problem)
+    """The same step by step: what is found, one after the other, and then what needs no finding. Of parts that the variant does
+    not ask there is only what the others need."""
+    problem, asked = in_language(solution.problem), {part.id for part in variant.problem.parts}
+    steps = asked_steps(solution, asked)
     known = given_numbers(variant)
-    lines = [_constant(given) for given in problem.givens if given.source]
-    lines = [*introduced(solution, problem), *lines, *[""] * bool(lines)]
+    lines = constants_of_nature(problem)
+    lines = [*introduced(steps.values(), problem), *lines, *[""] * bool(lines)]
     if solution.case:
         lines += [_("**Here {case}.**", case=solution.case), ""]
     met = set[str]()
-    for find, numbers in zip(solution.unknowns, values, strict=True):
+    for place, find in steps.items():
+        numbers = values[place]
         part = problem.part(find.part) if find.part else None
         heading = (
             f"{_heading(part)}: {asked_for(find)}"
@@ -94,7 +97,7 @@ def worked_steps(
         yield formulas_in_convention("\n".join(lines))
         lines = []
     for part in problem.parts:
-        if other := _other(solution, part, letters, variant):
+        if part.id in asked and (other := _other(solution, part, letters, variant)):
             lines += [_heading(part), "", *other, ""]
         if lines:
             yield formulas_in_convention("\n".join(lines))
@@ -106,12 +109,6 @@ def model_answer(solution: Solution, part: Part, letters: Mapping[str, str], var
 
     Markdown; empty for a part that asks for a quantity."""
     return formulas_in_convention("\n".join(_other(solution, part, letters, variant)).strip())
-
-
-def _constant(given: Given) -> str:
-    """A constant of nature: its value, what it is, and where the value is from."""
-    value = quantity(float(given.value), given.unit)
-    return f"- ${letter(given.symbol)} = {value}$, {given.meaning} ({given.source})"
 
 
 def _heading(part: Part) -> str:

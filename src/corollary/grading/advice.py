@@ -48,8 +48,8 @@ def advice(key: Key, part: Part) -> str:
 
 
 def _steps(key: Key, asked: Unknown) -> list[Unknown]:
-    """The step that answers the part, and before it those that lead to it and that nobody asks for."""
-    parts = {find.part for find in key.solution.unknowns if find.part}
+    """The step that answers the part, and before it those that lead to it and that the sheet does not ask for."""
+    parts = {part.id for part in key.variant.problem.parts}
     return steps_to(key.solution, asked, parts)
 
 

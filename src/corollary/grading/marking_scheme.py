@@ -132,18 +132,24 @@ def _mistakes(key: Key, part: Part, truth: Truth, scheme: Scheme, out_of: float)
 
 def _carried(key: Key, truth: Truth) -> Iterator[CarriedAnswer]:
     """By the author's way and by others, each in the letters of what was asked before."""
-    solution = key.solution
-    if same_as(solution, truth.place):
+    solution, parts = key.solution, {part.id for part in key.variant.problem.parts}
+    if same_as(solution, truth.place) in parts:
         return  # written down again it earns nothing
     ways = [*_authors_way(key, truth)]
     for way in solution.paths.get(key.find(truth).part, ()):
-        if way.earlier and len(ways) <= MOST_WAYS and all(way.trees != other.trees for other in ways):
+        if (
+            way.earlier
+            and parts.issuperset(way.earlier)
+            and len(ways) <= MOST_WAYS
+            and all(way.trees != other.trees for other in ways)
+        ):
             ways.append(CarriedAnswer(way.earlier, way.trees))
     yield from ways
 
 
 def _authors_way(key: Key, truth: Truth) -> Iterator[CarriedAnswer]:
-    """What nobody asks about is put in; what is simulated stays a letter, whose value is known."""
+    """What the sheet does not ask about is put in; what is simulated stays a letter, whose value is known."""
+    parts = {part.id for part in key.variant.problem.parts}
     meaning: dict[str, Expr] = {}
     asked: dict[str, str] = {}
     for place, find in enumerate(key.solution.unknowns[: truth.place + 1]):
@@ -155,7 +161,7 @@ def _authors_way(key: Key, truth: Truth) -> Iterator[CarriedAnswer]:
             earlier = tuple(dict.fromkeys(part for name, part in asked.items() if name in letters))
             if earlier:
                 yield CarriedAnswer(earlier, trees)
-        elif find.part:
+        elif find.part in parts:
             asked |= dict.fromkeys(find.names, find.part)
         else:
             meaning |= dict(zip(find.names, trees, strict=True))

@@ -8,24 +8,27 @@ from typing import Final
 
 from corollary.formula.ast import names
 from corollary.grading.key import Key, Truth
+from corollary.problem.part import Part
 
 FIGURES, CANCELLATION, SIZE, NEGATIVE = "figures", "cancellation", "size", "negative"
 LEAST_NOISE: Final = 1e-9
 
 
 def number_features(key: Key) -> dict[str, dict[str, float]]:
-    """Of each part that asks for a quantity, by the part's name: `figures`, how many figures the givens in its formula have
+    """Of each part asked that asks for a quantity, by the part's name: `figures`, how many figures the givens in its formula have
     together; `cancellation`, log₁₀ of how far honest rounding moves the answer (relative); `size`, log₁₀ of the answer in its
     unit, left out of an answer that is zero; `negative`, 1 where a component is below zero, else 0."""
-    return {name: dict(_features(key, name, truth)) for name, truth in key.truths.items()}
+    parts = {part.id: part for part in key.variant.problem.parts}
+    return {
+        name: dict(_features(key, parts[name], truth)) for name, truth in key.truths.items() if name in parts
+    }
 
 
-def _features(key: Key, part: str, truth: Truth) -> list[tuple[str, float]]:
+def _features(key: Key, part: Part, truth: Truth) -> list[tuple[str, float]]:
     values = key.variant.values
     trees = key.find(truth).in_givens or ()
     used = frozenset[str]().union(*map(names, trees)) & values.keys() or values.keys()
-    unit = key.variant.problem.part(part).unit
-    in_unit = [float(unit.from_si(value)) for value in truth.values]
+    in_unit = [float(part.unit.from_si(value)) for value in truth.values]
     largest = max(map(abs, in_unit))
     found = [
         (FIGURES, float(sum(_figures(values[name]) for name in used))),

@@ -136,6 +136,13 @@ def stored_facts(course: Course, set_name: str, student: str) -> PageFacts | Non
         return None
 
 
+def with_solutions(course: Course, set_name: str) -> tuple[str, ...]:
+    """Those in whose feedback pages worked solutions stand."""
+    pages = page_facts_place(course, set_name, "any").parent.glob("[!.]*.json")
+    every = ((path.stem, stored_facts(course, set_name, path.stem)) for path in sorted(pages))
+    return tuple(who for who, facts in every if facts and any(each.solution for each in facts.exercises))
+
+
 def _written(course: Course, set_name: str, student: str) -> bytes:
     try:
         return feedback_place(course, set_name, student).read_bytes()

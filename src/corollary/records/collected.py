@@ -66,6 +66,18 @@ def remember(course: Course, set_name: str, arrivals: Iterable[Arrival]) -> None
         )
 
 
+def without_owner(arrivals: Sequence[Arrival]) -> tuple[Arrival, ...]:
+    """Those of which nobody knows whose they are, and which nobody's came after: by the same name, or with the same content."""
+    found = dict[str, Arrival]()
+    for each in arrivals:
+        if each.outcome == NOBODY:
+            found[each.file] = each
+        elif each.student:
+            found.pop(each.file, None)
+            found = {file: one for file, one in found.items() if not one.digest or one.digest != each.digest}
+    return tuple(found.values())
+
+
 def _identity(each: Arrival) -> tuple[str, ...]:
     outcome = ACCEPTED if each.outcome == UNCHANGED else each.outcome
     when = each.when if each.time and outcome == ACCEPTED else ""

@@ -28,7 +28,8 @@ def write_origin(course: Course, set_name: str, bank: Bank, file: Path | None = 
 
 def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank, ProblemSet]:
     """The set of this name, or in the file of this path, and its bank: the one in `folder`, else the one that the set was
-    generated from, else the course's, else one that other sets of the course were generated from, else the chapter's.
+    generated from, else the course's, else one that other sets of the course were generated from, else the chapter's. A set that
+    has a file of its own outside its bank is read from there, whatever bank its problems are from.
 
     Raises NotACourse when the record is damaged, UnknownCode when the bank has moved, and Malformed.
     """
@@ -41,11 +42,26 @@ def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank,
         bank, file = around or open_bank(named), None
         if named is around is None and not os.environ.get(VARIABLE):
             bank = _of_other_sets(course, set_name, bank)
-        if not is_file and set_name not in (here := set_names(bank)):
+        if not is_file:
+            file = _recorded_file(course, set_name)
+        if not is_file and file is None and set_name not in (here := set_names(bank)):
             raise _unknown(course, set_name, bank, here)
     else:
         bank, file = _recorded(course, set_name)
     return bank, find_set(bank, name if is_file or file is None else file, settings.usual)
+
+
+def has_set(course: Course, name: str) -> bool:
+    """Whether a set of this name was generated here, and it is known from where."""
+    return _origin(course, name).exists()
+
+
+def _recorded_file(course: Course, set_name: str) -> str | None:
+    """The set's own file, where it lies outside its bank and is still there."""
+    with suppress(NotACourse):  # a damaged record: the bank named may have the set
+        file = _record(course, set_name)[1] if has_set(course, set_name) else None
+        return file if file is not None and Path(file).is_file() else None
+    return None
 
 
 def _of_other_sets(course: Course, set_name: str, otherwise: Bank) -> Bank:
@@ -63,6 +79,11 @@ def _age(path: Path) -> float:
 
 def _unknown(course: Course, set_name: str, bank: Bank, here: list[str]) -> UnknownCode:
     assigned = course.record("assigned", f"{set_name}.json")
+    if _origin(course, set_name).exists():
+        return UnknownCode(
+            f"the bank {bank.place} has no set {set_name}, and the file that it was generated from is gone or lies in another "
+            f"bank; name the set's own file ({set_name}.md with its path) in the place of {set_name}"
+        )
     if assigned.exists():
         return UnknownCode(
             f"{course.folder} has numbers of {set_name}, but no longer says where that set is: {_origin(course, set_name)} "
@@ -84,14 +105,19 @@ def _unknown(course: Course, set_name: str, bank: Bank, here: list[str]) -> Unkn
     )
 
 
-def _recorded(course: Course, set_name: str) -> tuple[Bank, str | None]:
+def _record(course: Course, set_name: str) -> tuple[str | None, str | None]:
+    """The places of the bank (None: the chapter's) and of the set's file. Raises NotACourse."""
     try:
         record = json.loads(_origin(course, set_name).read_text(encoding="utf-8"))
-        place, file = record["bank"], record["set"]
+        return record["bank"], record["set"]
     except (OSError, ValueError, TypeError, KeyError):
         raise NotACourse(
             f"{course.folder} does not say which bank {set_name} comes from; generate it again (everybody keeps their numbers)"
         ) from None
+
+
+def _recorded(course: Course, set_name: str) -> tuple[Bank, str | None]:
+    place, file = _record(course, set_name)
     if place is None:
         return chapter_bank(), file
     try:

@@ -14,8 +14,8 @@ from corollary.answers.verdict import Verdict
 from corollary.messages import visible
 from corollary.problem.dates import written
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.collected import UNUSABLE, read_arrivals
-from corollary.records.collusion import SHARING, Shared, read_shared
+from corollary.records.collected import UNUSABLE, read_arrivals, without_owner
+from corollary.records.collusion import RARE, SHARING, Shared, read_shared
 from corollary.records.deadlines import Deadlines, read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.hand_in_time import guessed_time, handed_in, why_guessed
@@ -63,8 +63,9 @@ class Waiting:
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """A graded problem set in sum; `missing` are students of the roster who handed in nothing; `shared` proves nothing;
-    `unusable` says of a student why what was handed in cannot be marked. `excused` need not hand in, and are counted nowhere,
+    """A graded problem set in sum; `missing` are students of the roster who handed in nothing; `shared` proves nothing,
+    and `coincidences` are as many more that chance explains; `nobodys` are the files collected of which nobody knows whose they are,
+    with the reason; `unusable` says of a student why what was handed in cannot be marked. `excused` need not hand in, and are counted nowhere,
     though their work is marked."""
 
     handed_in: tuple[HandedIn, ...]
@@ -76,6 +77,8 @@ class Report:
     shared: tuple[Shared, ...] = ()
     unusable: tuple[tuple[str, str], ...] = ()
     excused: tuple[str, ...] = ()
+    nobodys: tuple[tuple[str, str], ...] = ()
+    coincidences: int = 0
 
     @property
     def noticed(self) -> tuple[HandedIn, ...]:
@@ -91,6 +94,20 @@ class Report:
     def late(self) -> float:
         """The share of submissions that came late."""
         return fmean(one.late > 0 for one in self.handed_in) if self.handed_in else 0.0
+
+    @property
+    def late_count(self) -> int:
+        return sum(one.late > 0 for one in self.handed_in)
+
+    @property
+    def totals(self) -> tuple[float, ...]:
+        """What the sheets are out of, each number once: several where those of a pool differ."""
+        return tuple(sorted({one.out_of for one in self.handed_in}))
+
+    @property
+    def shares(self) -> tuple[float, ...]:
+        """Of each sheet what it earned of its own total, 1 for all of it; a sheet out of nothing has none."""
+        return tuple(one.points / one.out_of for one in self.handed_in if one.out_of > 0)
 
     @property
     def mean(self) -> float | None:
@@ -129,8 +146,8 @@ def report_of(course: Course, problem_set: ProblemSet, manual: ManualMarks | Non
         for student, names in unclear(course, name).items()
         if student in known
     }
-    there = submissions(course, name)
-    for each in read_arrivals(course, name):  # what was collected and could not be put where it is marked
+    there, arrivals = submissions(course, name), read_arrivals(course, name)
+    for each in arrivals:  # what was collected and could not be put where it is marked
         if each.outcome == UNUSABLE and each.student in known and each.student not in there:
             unusable[each.student] = visible(f"{each.file}: {each.why}")
     return report(
@@ -140,6 +157,7 @@ def report_of(course: Course, problem_set: ProblemSet, manual: ManualMarks | Non
         shared=shared,
         unusable=unusable,
         excused=excused,
+        nobodys=[(visible(each.file), visible(each.why)) for each in without_owner(arrivals)],
     )
 
 
@@ -168,6 +186,7 @@ def report(
     shared: Sequence[Shared] = (),
     unusable: Mapping[str, str] | None = None,
     excused: Sequence[str] = (),
+    nobodys: Sequence[tuple[str, str]] = (),
 ) -> Report:
     """The report on rows as they are recorded; parts in the order of their first row. `roster` holds all students' ids."""
     by_part: dict[tuple[str, str], list[Row]] = {}
@@ -178,6 +197,7 @@ def report(
             met.setdefault((row.verdict, row.error, row.problem, row.part), {})[row.student] = None
     found = [Met(*what, tuple(whose)) for what, whose in met.items()]
     came = {one.student for one in handed}
+    rare = tuple(one for one in shared if one.chance < RARE)
     return Report(
         tuple(handed),
         tuple(rows),
@@ -185,9 +205,11 @@ def report(
         tuple(sorted(found, key=lambda one: (-len(one.students), one.verdict, one.problem, one.part))),
         tuple(Waiting(row.student, row.problem, row.part, row.why, row.rubric) for row in rows if row.waits),
         tuple(student for student in roster if student not in came and student not in (unusable or {})),
-        tuple(shared),
+        rare,
         tuple((unusable or {}).items()),
         tuple(excused),
+        tuple(nobodys),
+        len(shared) - len(rare),
     )
 
 
@@ -214,9 +236,11 @@ def report_record(report: Report) -> dict[str, object]:
         "misconceptions": [{**asdict(met), "count": len(met.students)} for met in report.met],
         "waiting": [asdict(one) for one in report.waiting],
         "unusable": [{"student": student, "why": why} for student, why in report.unusable],
+        "nobodys": [{"file": file, "why": why} for file, why in report.nobodys],
         "failed": [{"student": one.student, "why": one.trouble} for one in report.failed],
         "noticed": [{"student": one.student, "notes": list(one.notes)} for one in report.noticed],
         "sharing": [msgspec.structs.asdict(one) for one in report.shared],
         "sharing_model": SHARING,
+        "coincidences": report.coincidences,
         "isolation": report.isolation,
     }

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from statistics import fmean, median
 from typing import TYPE_CHECKING, Final
 from urllib.parse import quote
 
@@ -13,7 +14,7 @@ from corollary.records.collusion import SHARING
 from corollary.records.record import HandedIn, Row
 from corollary.records.report_model import PartTally, Report
 from corollary.render.page import page
-from corollary.render.report_table import columns
+from corollary.render.report_table import coincidences, columns, different_totals
 from corollary.render.statistics_text import EFFECTS, between, in_all, percent_between
 from corollary.render.wording import BY_HAND, LOOKS
 
@@ -93,17 +94,24 @@ def report_page(
     titles = {
         (problem.code, part.id): part.title for problem in problem_set.problems for part in problem.parts
     }
+    uneven = len(report.totals) > 1
     return page(
         "report.html",
         title=f"{problem_set.title}: report",
         script="report.js",
         report=report,
         sharing=SHARING,
+        coincidences=coincidences(report),
+        different_totals=different_totals(report) if uneven else "",
+        mean_share=fmean(report.shares) if report.shares else 0.0,
+        median_share=median(report.shares) if report.shares else 0.0,
         problem_set=problem_set,
         looks=columns(report),
         all_looks={**LOOKS, BY_HAND.name: BY_HAND},
         titles=titles,
-        intervals=intervals([one.points for one in report.handed_in], report.out_of),
+        intervals=intervals([100 * share for share in report.shares], 100)
+        if uneven
+        else intervals([one.points for one in report.handed_in], report.out_of),
         bars={(part.problem, part.part): tuple(_bar(part)) for part in report.parts},
         waiting=_waiting(report),
         rubrics={(one.problem, one.part): one.rubric for one in report.waiting if one.rubric},

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from statistics import fmean, median
 
 from rich.console import Group, RenderableType
 from rich.table import Table
@@ -53,6 +54,8 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
         )
     if report.unusable:
         yield _table("Handed in, and cannot be used", ("student", "what"), iter(report.unusable))
+    if report.nobodys:
+        yield _table("Collected, and nobody knows whose", ("file", "what"), iter(report.nobodys))
     if report.noticed:
         yield _table(
             "Noticed (nothing was taken off for it)",
@@ -70,6 +73,8 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
             ),
         )
         yield from _more(len(report.shared))
+    if report.coincidences:
+        yield Text(f"\n{coincidences(report)}")
     if missing := tuple(one for one in report.missing if one not in unmarked):
         yield Text(f"\nNothing from {len(missing)}: {_some(missing, 12)}")
     if report.excused:
@@ -87,10 +92,33 @@ def columns(report: Report) -> dict[str, Look]:
 def _headline(report: Report) -> str:
     if report.mean is None or report.median is None:
         return "Nothing was handed in yet."
+    if len(report.totals) > 1:
+        marks = (
+            f"mean {fmean(report.shares):.0%} and median {median(report.shares):.0%} of the own sheet's points, for "
+            f"{different_totals(report)}"
+        )
+    else:
+        marks = (
+            f"mean {points(report.mean)} and median {points(report.median)} of {points(report.out_of)} points"
+        )
     return (
-        f"{len(report.handed_in)} handed in, {report.late:.0%} of them late; mean {points(report.mean)} and median"
-        f" {points(report.median)} of {points(report.out_of)} points; {_waiting(len(report.waiting))} for a person"
+        f"{len(report.handed_in)} handed in, {report.late_count} of them late; {marks}; "
+        f"{_waiting(len(report.waiting))} for a person"
     )
+
+
+def different_totals(report: Report) -> str:
+    """What sheets are out of, where that is not the same for all."""
+    *others, last = map(points, report.totals)
+    return f"sheets are out of {', '.join(others)} or {last} points"
+
+
+def coincidences(report: Report) -> str:
+    """How many wrong answers fit somebody else's numbers, and that this means nothing."""
+    count = report.coincidences
+    times = "once" if count == 1 else f"{count} times"
+    opening = f"Besides, {times}" if report.shared else times.capitalize()
+    return f"{opening} a wrong answer fits somebody else's numbers, which chance explains."
 
 
 def _waiting(count: int) -> str:
