@@ -119,7 +119,9 @@ def in_words(answer: Answer) -> str:
         case Unclear(why):
             return f"cannot be read: {why}"
         case Numbers(figures=figures, as_read=as_read):
-            remark = f": {answer.misfit}" if answer.misfit else f", {answer.missing}" if answer.missing else ""
+            remark = (
+                f": {answer.misfit}" if answer.misfit else f", {answer.missing}" if answer.missing else ""
+            )
             same = figures[0] if len(set(figures)) == 1 else 0
             count = f" ({same} figure{'s' if same > 1 else ''})" if same else ""
             return f"read as {as_read}{remark}" if remark else f"read as {as_read}{count}"
