@@ -28,6 +28,13 @@ SAID = [
     ("X12_5_a", "X12_5_a = '0.86·10^1'", "read as 8.6, taken in kg m/s; better write 8.6 kg m/s\n"),
     ("X12_5_a", "X12_5_a = '43/5'", "read as 8.6, taken in kg m/s; better write 8.6 kg m/s\n"),
     ("X12_5_b", "X12_5_b = '(4,7; 3,1)'", "read as (4.7, 3.1), taken in m/s; better write 4.7 m/s\n"),
+    (
+        "X12_5_a",
+        "X12_5_a = None\nIn = ['', 'X12_5_a = 1', 'X12_5_a = 8.6 N s  # mine']",
+        'no answer yet: a number with its unit stands in quotes: X12_5_a = "8.6 N s"\n',
+    ),
+    ("X12_5_a", "X12_5_a = 8.6\nIn = ['X12_5_a = 8.6 N', '%matplotlib\\nX12_5_a = 8.6']", "read as 8.6 kg m/s"),
+    ("X12_5_a", "X12_5_a = 8.6\nIn = ['X12_5_a = 8.6 N', 'm = 8\\nX12_5_a = 1.0*m']", "read as 8.6 kg m/s"),
     ("X12_5_a", "X12_5_a = '8.6 N/s'", "a momentum or an impulse is expected"),
     ("X12_5_a", "X12_5_a = '1,234 N s'", "1.234 or 1234"),
     ("X12_5_a", "X12_5_a = 'rather a lot'", "cannot be read"),
