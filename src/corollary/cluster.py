@@ -6,6 +6,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from corollary.extras import installing
+
 if TYPE_CHECKING:
     from distributed import Client
 
@@ -21,7 +23,7 @@ def connect(address: str) -> Client:
     try:
         from distributed import Client
     except ImportError:
-        raise NoCluster("a cluster needs Dask; install it with: pip install 'corollary[dask]'") from None
+        raise NoCluster(f"a cluster needs Dask; install it with: {installing('dask')}") from None
     try:
         client = Client(address, timeout=SECONDS_TO_CONNECT)
     except (OSError, ValueError) as error:

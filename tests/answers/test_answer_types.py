@@ -71,7 +71,7 @@ def test_one_quantity(given, value, figures):
 def test_a_unit_that_is_missing_or_another_one_is_said():
     missing, other, none = read(Text("8.6")), read(Text("8.6 J")), read(Text("0"))
     assert isinstance(missing, Numbers)
-    assert missing.missing == "the unit is missing; write for example 8.6 kg m/s"
+    assert missing.missing == "taken in kg m/s; better write 8.6 kg m/s"
     assert isinstance(other, Numbers)
     assert "is an energy" in other.misfit
     assert isinstance(none, Numbers)

@@ -28,7 +28,9 @@ def run(*words: object) -> tuple[int, str, str]:
 def generated(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("term")
     (folder / "one.md").write_text(SET.replace("{reveal}", "by hand"))
-    (folder / "roster.csv").write_text("id,email\nada,ada@uni.example\nben,\n")
+    (folder / "roster.csv").write_text(
+        "id,first_name,last_name,email\nada,Ada,Lovelace,ada@uni.example\nben,,,\n0007153,Finn,Berg,\n0008633,Finn,Berg,\n"
+    )
     (folder / "mech").mkdir()
     (folder / "mech" / "corollary.toml").write_text('timezone = "Europe/Oslo"\n')
     status, _, err = run(
@@ -99,6 +101,10 @@ def test_who_has_what_is_listed_and_taken_back(course: Path):
         (["ada", "one", "2999-12-01"], "is before one is due anyway, Wednesday 4 December 2999"),
         (["adda", "one", "--excuse"], "adda is not on the roster of "),
         (["adda", "one", "--excuse"], "(did you mean ada?)"),
+        (["Ada  Lovelace", "one", "--excuse"], "is no id on the roster of "),
+        (["ada lovelace", "one", "--excuse"], "; did you mean ada?\n"),
+        (["Finn Berg", "one", "--excuse"], "; did you mean 0007153 or 0008633?\n"),
+        (["7153", "one", "--excuse"], "; did you mean 0007153?\n"),
         (["ada", "momentum_2", "--excuse"], "(did you mean momentum_1?)"),
         (["ada", "onne", "--excuse"], "there is no problem set onne (did you mean one?); "),
     ],

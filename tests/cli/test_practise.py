@@ -14,10 +14,12 @@ import pytest
 from click.testing import CliRunner
 
 from corollary.cli.commands import app
-from corollary.cli.practise import answered, with_sets
+from corollary.cli.open_sets import with_sets
+from corollary.cli.practise import answered
 from corollary.practice.practice import practice
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
+from corollary.render.pyodide import NEEDED
 
 SET = """\
 ---
@@ -124,6 +126,63 @@ def test_a_set_that_is_not_due_is_left_out(tmp_path):
     assert done.exit_code == 2
     assert "left out, since not due yet: the problems of exam (due " in done.stderr
     assert "no problem is left to practise on; name other problems" in done.stderr
+
+
+@pytest.fixture
+def class_at_work(tmp_path: Path, monkeypatch) -> Path:
+    """A course with a set of its own, due long ago, which one student may still hand in; its folder is the working one."""
+    monkeypatch.delenv("COROLLARY_COURSE", raising=False)
+    (tmp_path / "week1.md").write_text(SET.replace("2199", "2001").replace("Q1", "X12.6"), encoding="utf-8")
+    (tmp_path / "roster.csv").write_text("id\nada\nben\n", encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert run("generate", "week1.md", "--roster", "roster.csv", "--course", "mech", "--yes").exit_code == 0
+    monkeypatch.chdir(tmp_path / "mech")
+    return tmp_path / "mech"
+
+
+@pytest.fixture
+def little(tmp_path: Path) -> Path:
+    """A folder that looks like Pyodide."""
+    (tmp_path / "pyodide").mkdir()
+    for name in NEEDED:
+        (tmp_path / "pyodide" / name).write_text('{"info": {}}', encoding="utf-8")
+    return tmp_path / "pyodide"
+
+
+def run(*words: str):
+    return CliRunner().invoke(app, list(words))
+
+
+def test_a_set_of_the_course_is_left_out_until_its_last_deadline(class_at_work: Path, little: Path):
+    """The course's own set, from a file outside the bank: by its date and by extensions, on the page and in a site."""
+    site = ["export", "X12.6", "X12.2", "site", "--to", "site", "--pyodide", str(little), "--json"]
+    assert json.loads(run(*site).stdout)["problems"] == ["X12.2", "X12.6"]
+    assert run("extend", "ben", "week1", "2199-01-01").exit_code == 0
+    for asked in (["practise", "X12.6", "--no-browser"], ["practise", "week1", "--no-browser"]):
+        done = run(*asked)
+        assert (done.exit_code, done.stdout) == (2, "")
+        assert "left out, since not due yet: the problems of " in done.stderr
+        assert "week1 (due Tuesday 1 January 2199" in done.stderr
+    for more in ([], ["--variants", "2"]):
+        assert json.loads(run(*site, *more).stdout)["problems"] == ["X12.2"]
+    assert run("extend", "ben", "week1", "--remove").exit_code == 0
+    assert run("practise", "X12.6", "--no-browser", "--except", "week1").exit_code == 2
+
+
+def test_a_set_that_cannot_be_found_any_more_is_left_out_by_its_record(class_at_work: Path):
+    (class_at_work.parent / "week1.md").unlink()
+    done = run("practise", "X12.6", "--no-browser")
+    assert done.exit_code == 2
+    assert "week1 (its file is lost, and nobody knows when it is due)" in done.stderr
+
+
+def test_what_is_for_everybody_is_exported_from_a_courses_folder(class_at_work: Path, little: Path):
+    """Only a course that is named is refused, and of questions only: one around the working folder chooses no numbers."""
+    done = run("export", "momentum_1", "X12.2", "there", "--to", "site", "--pyodide", str(little))
+    assert (done.exit_code, done.stderr.count("say how many variants")) == (0, 0)
+    assert run("export", "X12.5", "--to", "moodle").exit_code == 0
+    named = run("export", "X12.5", "--to", "moodle", "--course", str(class_at_work))
+    assert (named.exit_code, "say how many variants" in named.stderr) == (2, True)
 
 
 @pytest.fixture

@@ -16,7 +16,7 @@ from corollary.grading.submission import state_of
 
 from .small_class import POINTS, handed_in, order
 
-distributed = pytest.importorskip("distributed", reason="needs Dask: pip install 'corollary[dask]'")
+distributed = pytest.importorskip("distributed", reason="needs Dask: pip install '.[dask]'")
 
 
 def test_a_worker_killed_on_the_way_loses_nothing(tmp_path: Path) -> None:

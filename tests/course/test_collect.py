@@ -339,6 +339,33 @@ def test_a_students_place_that_is_a_link_is_not_written_through(course: Path, tm
     assert not (tmp_path / "one").exists()
 
 
+def test_whose_a_namesakes_file_is_says_the_worksheet(course: Path, tmp_path: Path) -> None:
+    """Ben and Cyd have one name: who hands in a neighbour's notebook, or none, may be either, and both are told."""
+    (course / ".corollary" / "roster.csv").write_text(
+        ROSTER.replace("Ben,Bóol", "Finn,Berg").replace("Cyd,Charisse", "Finn,Berg")
+    )
+    neighbours, page = (
+        f"Finn Berg_900233_assignsubmission_file_/{name}" for name in ("one.ipynb", "one.html")
+    )
+    own = "Finn Berg_900234_assignsubmission_file_/one.ipynb"
+    files = {neighbours: sheet(course, "ada"), page: b"<html></html>", own: sheet(course, "cyd")}
+    path = archive(tmp_path / "all.zip", files)
+    found = collected(course, path)
+    assert outcomes(found) == {neighbours: NOBODY, page: NOBODY, own: ACCEPTED}
+    either = "Finn Berg is ben or cyd on the roster; give Moodle's grading worksheet with --times, or name the file after the id"
+    assert {each.file: each.why for each in found.of(NOBODY)} == {
+        neighbours: f"was made for ada; {either}",
+        page: f"is no notebook; ask for one.ipynb ({either})",
+    }
+    worksheet = tmp_path / "grades.csv"
+    worksheet.write_text(
+        "Identifier,Full name,Email address,Last modified (submission)\n"
+        'Participant 900233,Finn Berg,ben@example.org,"Thursday, 3 December 2026, 9:00 AM"\n'
+    )
+    assert outcomes(collected(course, path, times=worksheet))[neighbours] == ACCEPTED
+    assert set(taken(course)) == {"ben", "cyd"}
+
+
 @pytest.mark.parametrize(
     "stranger", ["Stranger Person_9999_assignsubmission_file_/", "personstranger_9999_5009_"]
 )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -72,3 +73,33 @@ def test_every_option_that_a_page_names_is_there():
                 }
                 for option in re.findall(r"(?<![\w-])--[a-z-]+", rest):
                     assert option in have, f"{path.name}: corollary {name} {option}"
+
+
+BY_BARE_NAME = re.compile(
+    r"install\b[^`\n]*?(?<![\w./\\@-])corollary(?![\w./-])"  # pip install corollary; ./corollary is a folder
+    r"|(?<![\w./\\-])corollary\["  # an extra of the bare name, whatever stands before it
+)
+
+
+@pytest.mark.parametrize(
+    "advice",
+    ["pip install corollary", "uv pip install --upgrade 'corollary'", 'pip install "corollary[pdf]"', "'corollary[pdf]'"],
+)  # fmt: skip
+def test_advice_by_bare_name_is_found(advice: str):
+    assert BY_BARE_NAME.search(advice)
+    assert not BY_BARE_NAME.search(advice.replace("corollary", "./corollary"))
+
+
+def test_nothing_advises_to_install_the_package_that_has_our_name():
+    """The name on PyPI belongs to another project: ours is installed from its folder, or a library by its own name."""
+    others = [*(TOP / "examples").rglob("*.md"), *(TOP / "benchmarks").rglob("*.md"), *TOP.glob(".ci/*.py")]
+    advised = [*texts(), *((path.name, path.read_text(encoding="utf-8")) for path in others)]
+    assert not [(where, found[0]) for where, text in advised if (found := BY_BARE_NAME.search(text))]
+
+
+def test_no_bank_depends_on_the_package_that_has_our_name():
+    files = [*TOP.glob("examples/banks/*/pyproject.toml"), *TOP.glob("tests/plugin/*/pyproject.toml")]
+    assert len(files) > 3
+    for path in files:
+        wanted = tomllib.loads(path.read_text(encoding="utf-8"))["project"]["dependencies"]
+        assert not [each for each in wanted if re.match(r"corollary\b(?![\w-]|\s*@)", each)], path.parent.name

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import json
+import os
+import re
 import shutil
 import sqlite3
 import subprocess
@@ -85,6 +87,21 @@ def test_without_nbgrader_no_gradebook_is_claimed(tmp_path: Path) -> None:
     assert "ormgrader" not in done.stdout
     assert "nbgrader is not installed, so there is no gradebook" in done.stdout
     assert not (tmp_path / "demo" / "gradebook.db").exists()
+
+
+def test_the_last_line_works_as_printed_where_nothing_is_on_the_path(tmp_path: Path) -> None:
+    bare = {**os.environ, "PATH": "/usr/bin:/bin"}
+    done = subprocess.run(
+        [str(BIN / "corollary"), "demo", "demo"], cwd=tmp_path, env=bare, capture_output=True, text=True, check=False
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    printed = done.stdout.splitlines()[-1].partition("for formgrader: ")[2].partition(", then")[0]
+    assert printed.endswith("cd demo && jupyter lab")
+    opened = subprocess.run(
+        ["bash", "-c", f"{printed} --version"], cwd=tmp_path, env=bare, capture_output=True, text=True, check=False
+    )  # fmt: skip
+    assert opened.returncode == 0, opened.stderr
+    assert re.fullmatch(r"[\d.]+", opened.stdout.strip())
 
 
 def test_no_truth_in_what_students_get(played: tuple[Path, dict]) -> None:

@@ -11,7 +11,7 @@ from corollary.nbgrader.gradebook import settings
 from corollary.problem.roster import Student
 from corollary.records.files import Course, create_course
 
-pytest.importorskip("nbgrader", reason="needs nbgrader: pip install 'corollary[nbgrader]'")
+pytest.importorskip("nbgrader", reason="needs nbgrader: pip install '.[nbgrader]'")
 
 
 @pytest.fixture

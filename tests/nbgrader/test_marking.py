@@ -70,7 +70,16 @@ def test_a_table_comes_as_spreadsheets_save_it(marked_course: Course, tmp_path: 
     assert "the columns points are missing" in mark(marked_course, "--from", table).errors
     table.write_text("student,part,points\nada,X12.11c\n")
     assert "has 2 cells under 3 headings" in mark(marked_course, "--from", table).errors
-    assert points(marked_course)["ada"] == 1.5
+    for row, sentence in (
+        ("ada,X12.11c,7", "marks.csv:3: X12_11_c earns from 0 to 2 points, not 7; no mark was given"),
+        ("ada,X12.11z,1", "marks.csv:3: words has no part X12.11z; it has "),
+        ("adda,X12.11c,1", "marks.csv:3: nothing of adda is graded (did you mean ada?); grade first"),
+    ):
+        table.write_text(f"student,part,points\nben,X12.11c,2\n{row}\n")
+        done = mark(marked_course, "--from", table)
+        assert (done.status, sentence in done.errors) == (2, True), done.errors
+    assert "--set ada/X12.11c=7: X12_11_c earns" in mark(marked_course, "--set", "ada/X12.11c=7").errors
+    assert points(marked_course) == {"ada": 1.5, "ben": 0.5, "cyd": None}
 
 
 def test_a_part_that_was_taken_out_since_is_marked_as_it_was_handed_out(

@@ -119,10 +119,12 @@ def in_words(answer: Answer) -> str:
         case Unclear(why):
             return f"cannot be read: {why}"
         case Numbers(figures=figures, as_read=as_read):
-            remark = answer.misfit or answer.missing
+            remark = (
+                f": {answer.misfit}" if answer.misfit else f", {answer.missing}" if answer.missing else ""
+            )
             same = figures[0] if len(set(figures)) == 1 else 0
             count = f" ({same} figure{'s' if same > 1 else ''})" if same else ""
-            return f"read as {as_read}: {remark}" if remark else f"read as {as_read}{count}"
+            return f"read as {as_read}{remark}" if remark else f"read as {as_read}{count}"
         case Formulas(as_read=as_read) | Letter(as_read=as_read):
             return f"read as {as_read}"
         case Chain(lines):

@@ -105,6 +105,14 @@ def test_a_set_that_will_not_do(bank, front, line, words):
     )
 
 
+def test_a_code_mistyped_in_a_pool_is_all_that_is_said(bank):
+    """Nothing of the pool's size, which is right but for it."""
+    with pytest.raises(Malformed) as raised:
+        a_set(bank, "title: W\nproblems:\n  - {any: 1, of: [X1.1, X9.9]}")
+    assert [each.line for each in raised.value.complaints] == [4]
+    assert "no problem is called X9.9" in raised.value.complaints[0].sentence
+
+
 def test_a_name_no_folder_can_have(bank):
     with pytest.raises(Malformed, match="becomes a folder's"):
         a_set(bank, "title: W\nproblems: [X1.1]", name="week 1+2")

@@ -17,7 +17,7 @@ from corollary.verify.checked import Checked
 from corollary.verify.cluster import on_cluster, verify_there
 from corollary.verify.side_by_side import verify_each
 
-distributed = pytest.importorskip("distributed", reason="needs Dask: pip install 'corollary[dask]'")
+distributed = pytest.importorskip("distributed", reason="needs Dask: pip install '.[dask]'")
 BANK = chapter_bank()
 CODES = ("X12.2", "E12.3.1")
 DIES = "import os, signal\nos.kill(os.getpid(), signal.SIGKILL)\n"

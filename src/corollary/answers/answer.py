@@ -11,8 +11,8 @@ from corollary.formula.ast import Expr, Name, Relation
 class Numbers:
     """Values in SI, one for each component; `figures` as written (0: a machine number with many digits).
 
-    `missing` is a sentence when a unit was needed and none was written; the values then take the part's unit. `misfit` is
-    one when the unit measures something else than was asked for. `in_words` are the components whose sign comes from words.
+    `missing` says, when a unit was needed and none was written, in which unit the values are taken: the part's. `misfit` is
+    a sentence when the unit measures something else than was asked for. `in_words` are the components whose sign comes from words.
     `most` are the figures that may have been typed where that is more than is shown: a machine number loses zeros at its end.
     `sizes` are the SI values of the units the numbers were written in (the part's own unit where there are none).
     `polar` are the length and the angle of a vector that was written so: its components have no figures of their own.

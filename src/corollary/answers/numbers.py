@@ -24,8 +24,8 @@ from corollary.formula.value import (
     Text,
     Value,
 )
-from corollary.messages import catalogue
-from corollary.units.unit import Unit
+from corollary.messages import catalogue, in_convention
+from corollary.units.unit import Unit, show
 
 _ = catalogue(__name__)
 
@@ -140,8 +140,14 @@ def from_reading(found: Reading, unit: Unit) -> Numbers:
     except OverflowError:
         value = math.inf if ratio > 0 else -math.inf
     size = (found.unit.si,) if found.unit is not None else ()
-    missing = found.why if found.fit == "unit missing" else ""
+    missing = _in_parts_unit(found, unit) if found.fit == "unit missing" else ""
     misfit = found.why if found.fit == "wrong dimension" else ""
     polar = (from_reading(found.polar[0], unit), from_reading(found.polar[1], unit)) if found.polar else None
     figures = (sure(found.least, found.figures),)
     return Numbers((value,), figures, found.as_read, missing, misfit, sizes=size, polar=polar)
+
+
+def _in_parts_unit(found: Reading, unit: Unit) -> str:
+    """What is said of a number without the unit that it needs, beside how it was read."""
+    better = in_convention(f"{found.as_read}{'' if unit.text == 'deg' else ' '}{show(unit)}")
+    return _("taken in {unit}; better write {better}", unit=show(unit), better=better)

@@ -38,11 +38,10 @@ def preview_of(answer: Answer) -> Preview:
             return Preview(False, _("no answer yet"))
         case Unclear(why):
             return Preview(False, _("cannot be read: {why}", why=why))
-        case Numbers(as_read=as_read) if remark := answer.misfit or answer.missing:
-            return Preview(
-                not answer.misfit,
-                _("read as {answer}: {remark}", answer=in_convention(as_read), remark=remark),
-            )
+        case Numbers(as_read=as_read, misfit=why) if why:
+            return Preview(False, _("read as {answer}: {remark}", answer=in_convention(as_read), remark=why))
+        case Numbers(as_read=as_read, missing=how) if how:
+            return Preview(True, _("read as {answer}, {how}", answer=in_convention(as_read), how=how))
         case Numbers(figures=figures, as_read=as_read):
             count = figures[0] if len(set(figures)) == 1 else 0
             if not count:

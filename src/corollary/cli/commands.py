@@ -155,6 +155,9 @@ command(
         "Leave out the problems of this set, as those of sets that are not due yet",
         SETS,
     ),
+    path(
+        "--course", text="Whose open sets are left out, too; the one around the working folder when left out."
+    ),
     *PAGE,
 )
 command("schema", "The JSON schema of a problem's front matter, for editors.")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shlex
+import shutil
 import sys
 import time
 from collections.abc import Callable
@@ -13,6 +15,7 @@ from corollary.cli.ending import FAILS, HOLDS, answer, refuse
 from corollary.cli.progress import bar
 from corollary.course.demo.players import PLAYERS
 from corollary.course.demo.stage import Demonstration, NotFresh, Played, perform
+from corollary.extras import installing
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
@@ -99,10 +102,20 @@ def _show(performed: Demonstration, folder: Path, seconds: float) -> None:
     out.print(
         f"done in {seconds:.0f} s; "
         + (
-            f"for formgrader: cd {folder} && jupyter lab, then Nbgrader > Formgrader in its menu"
+            f"for formgrader: {_activation()}cd {folder} && jupyter lab, then Nbgrader > Formgrader in its menu"
             if there
-            else "nbgrader is not installed, so there is no gradebook: pip install 'corollary[nbgrader]'"
+            else f"nbgrader is not installed, so there is no gradebook: {installing('nbgrader')}"
         ),
         highlight=False,
         soft_wrap=True,
     )
+
+
+def _activation() -> str:
+    """What a terminal needs first, where the programs beside this Python are not on its PATH: `source .venv/bin/activate && `."""
+    activate, jupyter = Path(sys.prefix) / "bin" / "activate", shutil.which("jupyter")
+    if not activate.exists() or (jupyter and Path(jupyter).parent == Path(sys.executable).parent):
+        return ""
+    here = Path.cwd()
+    shortest = activate.relative_to(here) if activate.is_relative_to(here) else activate
+    return f"source {shlex.quote(str(shortest))} && "

@@ -55,7 +55,7 @@ def refuse_what_is_for_others(chosen: Target, given: ExportOptions) -> None:
         refuse_options_of_marks(given)
         if given["apart"]:
             refuse(f"--apart is for questions of an LMS; leave it out for {to}")
-        if of_students or given["course"] is not None:
+        if of_students:  # a course says what is not due yet
             refuse(f"{to} is for everybody; say how many variants of each problem with --variants")
         return
     if given["left_out"] or given["pyodide"]:

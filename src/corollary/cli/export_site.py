@@ -8,7 +8,7 @@ from pathlib import Path
 from corollary.atomic import write_whole
 from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.cli.export_options import ExportOptions
-from corollary.cli.practise import not_to_be_practised, with_sets
+from corollary.cli.open_sets import course_in, not_to_be_practised, with_sets
 from corollary.cli.progress import bar
 from corollary.practice.practice import practice
 from corollary.problem.bank import Bank, open_bank
@@ -22,10 +22,11 @@ USUAL_TURNS = 5
 
 def run(named: Sequence[str], given: ExportOptions) -> int:
     """Sets, problems or topics, all of the bank when none is named; the last is the folder, unless that is an option."""
-    opened = open_bank(given["bank"])
-    wanted, output = _wanted(opened, named, given["output"])
+    opened, course = open_bank(given["bank"]), course_in(given["course"])
     try:
-        found = practice(opened, wanted, not_to_be_practised(opened, tuple(given["left_out"])))
+        words, output = _wanted(opened, named, given["output"])
+        wanted = with_sets(opened, words, course)
+        found = practice(opened, wanted, not_to_be_practised(opened, given["left_out"], course))
         python = given["pyodide"] or fetched(folder() or output)
         files = dict(python_files(python))
     except (LookupError, NoPyodide) as error:
@@ -62,7 +63,7 @@ def run(named: Sequence[str], given: ExportOptions) -> int:
 
 
 def _wanted(bank: Bank, named: Sequence[str], output: Path | None) -> tuple[list[str], Path]:
-    """The problems of the sets named, and what else is; and the folder."""
+    """What is named, and the folder."""
     wanted = list(named)
     if output is None:
         if not wanted:
@@ -75,4 +76,4 @@ def _wanted(bank: Bank, named: Sequence[str], output: Path | None) -> tuple[list
         output = Path(place)
     if output.exists() and not output.is_dir():
         refuse(f"{output} is a file; name a folder for the site")
-    return with_sets(bank, wanted), output
+    return wanted, output

@@ -14,6 +14,7 @@ from corollary.cli.progress import bar
 from corollary.course.generate import Generated, generate
 from corollary.course.renew import Renewals, renewals
 from corollary.course.roster import RosterChange, roster_change, students_before
+from corollary.extras import installing
 from corollary.grading.solutions import Solutions
 from corollary.messages import spoken
 from corollary.nbgrader.config import check_config
@@ -118,7 +119,7 @@ def run(
     )
     if not made.registered:
         say(
-            "nbgrader is not installed, so there is no gradebook.db: pip install 'corollary[nbgrader]' and generate again to have one"
+            f"nbgrader is not installed, so there is no gradebook.db: {installing('nbgrader')}, and generate again to have one"
         )
     return HOLDS
 

@@ -86,7 +86,15 @@ def find_course(start: Path) -> Path | None:
 
 
 def _has_room_for_a_course(options: Mapping[str, Any]) -> bool:
-    """Whether a course that nobody named may choose the numbers: nothing else does, and a student is named where one must be."""
+    """Whether a course that nobody named may choose the numbers: nothing else does, and a student is named where one must be.
+
+    What is exported for everybody has no numbers of a course; of a site a course only says what is not due yet.
+    """
+    if "apart" in options:
+        from corollary.render.exports import target  # only here: it is about to be loaded
+
+        if (made := target(options["to"])).site or made.items is not None:
+            return made.site
     chosen = tuple(map(options.get, ("roster", "variants", "variant", "forms")))
     if options.get("to") == "site":
         return False  # it is for everybody

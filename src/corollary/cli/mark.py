@@ -25,7 +25,7 @@ from corollary.records.marks import stored_record
 from corollary.records.origin import set_of
 from corollary.render.marking_page import marking_page
 
-Marks = dict[tuple[str, str], ManualMark]
+Marks = dict[tuple[str, str], tuple[ManualMark, str]]  # and where each is written
 COLUMNS = ("student", "part", "points", "comment")
 
 
@@ -44,10 +44,13 @@ def run(
 ) -> int:
     opened = open_course(course)
     _, problem_set = set_of(opened, name, bank)
-    marks = _from_words(opened, problem_set, given) | (_from_file(opened, problem_set, file) if file else {})
+    written = _from_words(opened, problem_set, given) | (
+        _from_file(opened, problem_set, file) if file else {}
+    )
+    marks = {key: mark for key, (mark, _) in written.items()}
     if marks:
         try:
-            give_marks(opened, problem_set, marks)
+            give_marks(opened, problem_set, marks, {key: where for key, (_, where) in written.items()})
         except NotMarkable as error:
             raise NotMarkable(f"{error}; no mark was given") from None
     elif terminal:
@@ -107,8 +110,9 @@ def _from_words(course: Course, problem_set: ProblemSet, given: list[str]) -> Ma
         student, slash, part = place.rpartition("/")
         if not equals or not slash:
             refuse(f"--set {words}: write it as STUDENT/PART=POINTS, for instance ada/X12.5d=1.5")
-        key = _place(course, problem_set, ids.get(student, student), part)
-        found[key] = ManualMark(_points(number, words), by=_who())
+        where = f"--set {words}"
+        key = _place(course, problem_set, ids.get(student, student), part, where)
+        found[key] = ManualMark(_points(number, where), by=_who()), where
     return found
 
 
@@ -129,18 +133,20 @@ def _from_file(course: Course, problem_set: ProblemSet, file: Path) -> Marks:
             )
         cells = dict(zip(head, row, strict=False))
         student = ids.get(cells["student"], cells["student"])
-        key = _place(course, problem_set, student, cells["part"])
+        key = _place(course, problem_set, student, cells["part"], where)
         comment = cells.get("comment") or None
-        found[key] = ManualMark(_points(cells["points"], where), None, comment, by=_who())
+        found[key] = ManualMark(_points(cells["points"], where), None, comment, by=_who()), where
     return found
 
 
-def _place(course: Course, problem_set: ProblemSet, student: str, part: str) -> tuple[str, str]:
-    """The student and the part by the names that marks go by."""
-    try:
-        return student, part_named(problem_set, part)
-    except NotMarkable:  # it may be one that was handed out and taken out of the problem since
-        return student, part_named(problem_set, part, stored_record(course, problem_set.name, student))
+def _place(course: Course, problem_set: ProblemSet, student: str, part: str, where: str) -> tuple[str, str]:
+    """The student and the part by the names that marks go by. Raises NotMarkable, which opens with `where`."""
+    for record in (None, stored_record(course, problem_set.name, student)):
+        try:  # it may be one that was handed out and taken out of the problem since
+            return student, part_named(problem_set, part, record)
+        except NotMarkable as error:
+            unknown = error
+    raise NotMarkable(f"{where}: {unknown}; no mark was given")
 
 
 def _ids(course: Course) -> dict[str, str]:

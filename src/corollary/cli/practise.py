@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import errno
 import json
-from collections.abc import Callable, Sequence
-from datetime import UTC, datetime
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, cast
 
 from corollary.cli.ending import HOLDS, refuse, say
 from corollary.cli.local_page import serve
+from corollary.cli.open_sets import course_in, not_to_be_practised, with_sets
 from corollary.course.one_page_server import OnePageServer
 from corollary.derive.load import NotDerivable
 from corollary.formula.ball import Undefined
 from corollary.practice.offline import known
 from corollary.practice.posed import Answer, Posed
 from corollary.practice.practice import Practice, practice
-from corollary.problem.bank import Bank, open_bank
-from corollary.problem.dates import in_words
-from corollary.problem.problem_set import find_set, set_names
+from corollary.problem.bank import open_bank
 from corollary.render.animation import animation
 from corollary.render.markdown import html
 from corollary.render.practice_page import (
@@ -35,35 +33,22 @@ MOST_TURNS = 100_000
 
 
 def run(
-    wanted: tuple[str, ...], bank: Path | None, left_out: tuple[str, ...], no_browser: bool, port: int
+    wanted: tuple[str, ...],
+    bank: Path | None,
+    left_out: tuple[str, ...],
+    no_browser: bool,
+    port: int,
+    course: Path | None = None,
 ) -> int:
-    opened = open_bank(bank)
+    opened, around = open_bank(bank), course_in(course)
     try:
-        found = practice(opened, with_sets(opened, wanted), not_to_be_practised(opened, left_out))
+        found = practice(
+            opened, with_sets(opened, wanted, around), not_to_be_practised(opened, left_out, around)
+        )
     except LookupError as error:
         refuse(str(error))
     serve(_server(found, port), "ctrl-C ends it, and your browser keeps what you did", no_browser)
     return HOLDS
-
-
-def with_sets(bank: Bank, wanted: Sequence[str]) -> list[str]:
-    """What is named, with the codes of its problems in place of each set."""
-    sets, words = set(set_names(bank)), list[str]()
-    for each in wanted:
-        words += [problem.code for problem in find_set(bank, each).problems] if each in sets else [each]
-    return words
-
-
-def not_to_be_practised(bank: Bank, names: tuple[str, ...]) -> set[str]:
-    """The problems of the sets named, and of those that are not due yet: who practises on these has the answers."""
-    now = datetime.now(UTC)
-    sets = [find_set(bank, name) for name in names]
-    every = [find_set(bank, name) for name in set_names(bank)]
-    open_ones = [(each, each.due) for each in every if each.due and each.due > now]
-    if waiting := [f"{each.name} (due {in_words(due)})" for each, due in open_ones if each.name not in names]:
-        say(f"left out, since not due yet: the problems of {', '.join(waiting)}")
-    sets += [each for each, _due in open_ones]
-    return {problem.code for each in sets for problem in each.problems}
 
 
 def _server(found: Practice, port: int) -> OnePageServer:

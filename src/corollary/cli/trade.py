@@ -26,5 +26,7 @@ def _folder() -> Path:
         if (folder / "trade" / "command.py").is_file()
     ]
     if not found:
-        refuse(f"the races are missing beside {corollary}; reinstall corollary, or run it in a checkout")
+        refuse(
+            f"the races are missing beside {corollary}; install Corollary anew, from its folder, or run it in a checkout"
+        )
     return found[0]

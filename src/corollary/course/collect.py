@@ -9,6 +9,7 @@ from pathlib import Path
 
 from corollary.course.hand_in_time import dated
 from corollary.course.latest import Past, counting, settled
+from corollary.course.lms_places import worksheet_numbers
 from corollary.course.lms_times import Times, read_times
 from corollary.course.owner import LATER, Found, directory_of, identified
 from corollary.messages import few
@@ -61,14 +62,15 @@ def collect(
     stays. Nothing is written in a dry run. `times` is Moodle's grading worksheet. Raises NotACourse, Malformed."""
     name, roster = problem_set.name, students(course)
     before = read_arrivals(course, name)
-    directory = directory_of(roster, before)
     assigned = read_assigned(course, problem_set)
     met, arrivals, conflicts, moved = list[Found](), list[Arrival](), list[str](), list[str]()
     zone = read_settings(course.folder).usual.zone or machine_zone() or UTC
     # A worksheet counts only where whoever collects gave it: a student could hand in one that moves everybody's times.
-    moments = Times({})
+    moments, numbers = Times({}), dict[str, str]()
     for table in (*([times] if times else []), *(each for each in sources if each.suffix.lower() == ".csv")):
         moments = moments.joined(read_times(table, zone))
+        numbers |= worksheet_numbers(table, roster)
+    directory = directory_of(roster, before, numbers)
     known = {each.id: each for each in roster}
     for member in (each for source in sources if source.suffix.lower() != ".csv" for each in members(source)):
         progress(writable(member.name))

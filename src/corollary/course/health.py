@@ -14,6 +14,7 @@ from pathlib import Path
 
 from corollary import user_cache
 from corollary.course.course_health import of_course
+from corollary.extras import installing
 from corollary.nbgrader.health import nbgrader_findings
 from corollary.parallel import cores
 from corollary.plug_ins import PlugInFault, load, plug_ins
@@ -118,11 +119,7 @@ def _isolation(settings: Settings) -> Finding:
     state = "broken" if found.level < required else "weak" if found.missing else "good"
     short = [name for name in ("landlockpy", "pyseccomp") if sys.platform == "linux" and not _version(name)]
     remedy = (
-        "pip install 'corollary[isolation]'"
-        if short
-        else "see docs/instructor.md, Isolation"
-        if found.missing
-        else ""
+        installing("isolation") if short else "see docs/instructor.md, Isolation" if found.missing else ""
     )
     missing = f"; missing: {'; '.join(found.missing)}" if found.missing else ""
     return Finding("isolation", state, f"level {found.level} ({found.line}): {holds}{missing}", remedy)
@@ -195,7 +192,9 @@ def _banks(course: Course | None, settings: Settings) -> Iterator[Finding]:
         opened = open_bank(place)
         return f"{opened.place}, {len(files(opened))} problems"
 
-    yield found("chapter's bank", lambda: bank(Path(chapter_bank().place)), "reinstall corollary")
+    yield found(
+        "chapter's bank", lambda: bank(Path(chapter_bank().place)), "install Corollary anew, from its folder"
+    )
     if settings.bank:
         yield found("course's bank", lambda: bank(Path(settings.bank)), f"correct bank in {FILE}")
     elif os.environ.get("COROLLARY_BANK"):

@@ -63,6 +63,11 @@ def places(
     return by_student
 
 
+def worksheet_numbers(file: Path, roster: Sequence[Student]) -> dict[str, str]:
+    """The numbers of Moodle's grading worksheet, as "moodle 17", with the id of each student. Raises Malformed."""
+    return {f"moodle {name.number}": student for student, name in _of_worksheet(file, Directory(roster))}
+
+
 def packed(
     lms: str, found: Mapping[str, LmsName], files: Mapping[str, tuple[str, bytes]], roster: Iterable[Student]
 ) -> dict[str, bytes]:

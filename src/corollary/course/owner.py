@@ -82,13 +82,15 @@ class Found:
         return Arrival(self.student, self.member.name, when, outcome, why, digest, number, self.time)
 
 
-def directory_of(roster: Sequence[Student], before: Sequence[Arrival]) -> Directory:
-    """With the numbers that came under names of the students themselves."""
+def directory_of(
+    roster: Sequence[Student], before: Sequence[Arrival], worksheet: Mapping[str, str]
+) -> Directory:
+    """With the numbers that came under names of the students themselves, and those of Moodle's worksheet."""
     names = Directory(roster)
     own = [
         each for each in before if (lms := lms_name(each.file.split("/"))) and names.admits(lms, each.student)
     ]
-    return Directory(roster, numbers_of(own))
+    return Directory(roster, numbers_of(own), worksheet)
 
 
 def identified(
@@ -104,6 +106,7 @@ def identified(
     lms = lms_name(member.parts)
     by_place = directory.of_lms(lms) if lms else directory.of_parts(member.parts, problem_set.name)
     number = f"{lms.lms} {lms.number}" if lms else ""
+    namesakes = directory.namesakes(lms.name) if lms and by_place is None else []
 
     def left(student: str | None, outcome: str, why: str) -> Arrival:
         digest = digest_of(member.content) if isinstance(member.content, bytes) else ""
@@ -112,13 +115,19 @@ def identified(
     if member.content is None:
         packed = member.name.lower().endswith(PACKED)
         what = "is an archive of a kind that is not opened; unpack it, or" if packed else "is no notebook;"
-        return left(by_place, UNUSABLE if by_place else NOBODY, f"{what} ask for {problem_set.name}.ipynb")
+        whose = f" ({_one_of(lms, namesakes)})" if lms and namesakes else ""
+        return left(
+            by_place, UNUSABLE if by_place else NOBODY, f"{what} ask for {problem_set.name}.ipynb{whose}"
+        )
     read = notebook_of(member.content) if isinstance(member.content, bytes) else member.content
     if isinstance(read, Unreadable) or isinstance(member.content, Unreadable):
         return left(by_place, UNUSABLE, read.in_english if isinstance(read, Unreadable) else "")
     says = origin(read.node)
     owner = by_place or (says.student if says.student in roster else None)
     person = lms is not None and again(lms.name)[0].casefold() not in problem_set.name.casefold()
+    if by_place is None and lms and namesakes and (owner is None or not directory.admits(lms, owner)):
+        made_for = f"was made for {says.student}; " if says.student else ""
+        return left(None, NOBODY, f"{made_for}{_one_of(lms, namesakes)}")
     if by_place is None and owner is not None and lms and person and not directory.admits(lms, owner):
         why = f"was handed in by {lms.name}, who is not on the roster, and was made for {owner}"
         return left(None, NOBODY, f"{why}; add who it is to the roster, or name it after the student")
@@ -142,3 +151,9 @@ def identified(
         )
     named = lms is None or by_place is not None
     return Found(owner, member, member.content, lms, None, " ".join(notes(sheet, read.node)), named=named)
+
+
+def _one_of(lms: LmsName, namesakes: Sequence[str]) -> str:
+    """Who a name may be that several on the roster have, and how to tell."""
+    sheet_first = "give Moodle's grading worksheet with --times, or " if lms.lms == "moodle" else ""
+    return f"{lms.name} is {' or '.join(namesakes)} on the roster; {sheet_first}name the file after the id"

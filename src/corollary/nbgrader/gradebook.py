@@ -12,6 +12,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from corollary.extras import installing
 from corollary.nbgrader.config import broken, renew_config
 from corollary.records.files import Course
 from corollary.records.manual import read_manual
@@ -43,9 +44,7 @@ def need_nbgrader() -> None:
     try:
         import nbgrader.api  # noqa: F401  # pyright: ignore[reportUnusedImport]
     except ImportError:
-        raise NoNbgrader(
-            "a gradebook needs nbgrader; install it with: pip install 'corollary[nbgrader]'"
-        ) from None
+        raise NoNbgrader(f"a gradebook needs nbgrader; install it with: {installing('nbgrader')}") from None
 
 
 def has_nbgrader() -> bool:

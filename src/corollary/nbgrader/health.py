@@ -11,6 +11,7 @@ from contextlib import closing
 from importlib.metadata import version
 from pathlib import Path
 
+from corollary.extras import installing
 from corollary.nbgrader.config import BrokenConfig
 from corollary.nbgrader.gradebook import NoNbgrader, NotRegistered, need_nbgrader, settings
 from corollary.problem.diagnostic import Finding
@@ -24,7 +25,7 @@ def nbgrader_findings(course: Course | None) -> Iterator[Finding]:
     try:
         need_nbgrader()
     except NoNbgrader:
-        yield Finding("nbgrader", "weak", f"not installed: {WITHOUT}", "pip install 'corollary[nbgrader]'")
+        yield Finding("nbgrader", "weak", f"not installed: {WITHOUT}", installing("nbgrader"))
         return
     yield Finding("nbgrader", "good", version("nbgrader"))
     yield _alembic()

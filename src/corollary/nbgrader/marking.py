@@ -16,8 +16,9 @@ from corollary.nbgrader.given import give
 from corollary.nbgrader.marked_notebook import answer_cells, verbatim
 from corollary.nbgrader.marks import stale_pages, synchronized
 from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import Student
 from corollary.records.answers_to_mark import AnswerGroup, PartToMark, WrittenCell
-from corollary.records.files import Course, one_writer, students
+from corollary.records.files import Course, ids_of, one_writer, students
 from corollary.records.manual import ManualMark, Place
 from corollary.records.marks import check_graded, read_marks, write_page
 from corollary.records.record import Record, Row
@@ -52,24 +53,29 @@ def to_mark(course: Course, problem_set: ProblemSet, *, everything: bool = False
     return found
 
 
-def give_marks(course: Course, problem_set: ProblemSet, marks: Mapping[tuple[str, str], ManualMark]) -> None:
+def give_marks(
+    course: Course,
+    problem_set: ProblemSet,
+    marks: Mapping[tuple[str, str], ManualMark],
+    where: Mapping[tuple[str, str], str] | None = None,
+) -> None:
     """Gives marks by student and part: into the gradebook, the journal and the feedback pages, before it returns.
 
-    Raises NotMarkable for a part or a student that is not marked yet, and for points that cannot be.
+    Raises NotMarkable for a part or a student that is not marked yet, and for points that cannot be; it opens with `where` the
+    mark was written, where that is known.
     """
     with one_writer(course):
         manual = synchronized(course)
         whose = sorted({student for student, _ in marks})
         records = read_marks(course, problem_set, whose, manual)
-        roster = [each.id for each in students(course)]
-        for student in whose:
-            if student not in records:
-                near = did_you_mean(student, roster) if student not in roster else ""
-                raise NotMarkable(f"nothing of {student} is graded{near}; grade first, or correct the name")
-        given = {
-            Place(problem_set.name, student, part): _checked(records[student], student, part, mark)
-            for (student, part), mark in marks.items()
-        }
+        roster, given = students(course), dict[Place, ManualMark]()
+        for (student, part), mark in marks.items():
+            try:
+                checked = _checked(records.get(student), student, part, mark, roster)
+            except NotMarkable as error:
+                place = (where or {}).get((student, part))
+                raise NotMarkable(f"{place}: {error}" if place else str(error)) from None
+            given[Place(problem_set.name, student, part)] = checked
         now = give(course, given)
         for student, page in stale_pages(course, problem_set.name, now, whose).items():
             write_page(course, problem_set.name, student, page)
@@ -99,7 +105,16 @@ def _asked(problem_set: ProblemSet, records: Iterable[Record]) -> dict[str, tupl
     return found
 
 
-def _checked(record: Record, student: str, part: str, mark: ManualMark) -> ManualMark:
+def _checked(
+    record: Record | None, student: str, part: str, mark: ManualMark, roster: Sequence[Student]
+) -> ManualMark:
+    """The mark with what it was given for. Raises NotMarkable."""
+    if record is None:
+        ids = [each.id for each in roster]
+        meant = [] if student in ids else ids_of(student, roster)
+        hint = f" (did you mean {' or '.join(meant)}?)" if meant else did_you_mean(student, ids)
+        near = "" if student in ids else hint
+        raise NotMarkable(f"nothing of {student} is graded{near}; grade first, or correct the name")
     if part not in record.parts:
         raise NotMarkable(f"{student} was not asked {part}; it is one of {', '.join(record.parts)}")
     most = record.parts[part].out_of

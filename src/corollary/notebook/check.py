@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import os
+import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -72,9 +74,32 @@ class Check:
             return its_type.preview_function(self._space.get(question.function), question)
         if its_type.found_in == "figure":
             return Preview(True, _("the figure drawn above is what will be marked"))
+        if unquoted := _without_quotes(name, self._space.get("In")):
+            return Preview(
+                False,
+                _(
+                    "no answer yet: a number with its unit stands in quotes: {line}",
+                    line=f'{name} = "{unquoted}"',
+                ),
+            )
         return its_type.preview(value_of(encode(self._space.get(name))), question)
 
     @property
     def source(self) -> str:
         """The text of the modules that read answers, one below the other."""
         return "\n\n".join(f"# {name}\n\n{text}" for name, text in self._modules.items())
+
+
+def _without_quotes(name: str, cells: object) -> str:
+    """What the last cell with this answer gives it, such as `8.6 N s`, where Python cannot read that; `cells` are the notebook's
+    as they were run, which IPython keeps."""
+    given = re.compile(rf"^{re.escape(name)}[ \t]*=[ \t]*([^=\s].*?)[ \t]*(?:#.*)?$", re.MULTILINE)
+    texts = [each for each in cells if isinstance(each, str)] if isinstance(cells, list) else []
+    last, match = next(((text, found) for text in reversed(texts) if (found := given.search(text))), ("", None))
+    if match is None or not re.match(r"[-+\u2212]?\s*[\d.,]+[^\"\'()\[\]]*[^\W\d_]", match[1]):
+        return ""
+    try:
+        ast.parse(last)
+    except SyntaxError:
+        return match[1]
+    return ""

@@ -44,12 +44,13 @@ def read_problems(bank: Bank, front: Reader) -> Listed:
         if isinstance(node, TableNode) and "any" in node.entries:
             row = Reader(front.path, node, "a pool of the set", front.complaints)
             count = row.fraction("any")
-            members = [each for one in row.list_of("of") for each in _listed(bank, usual, front, one, chosen)]
+            named = list(row.list_of("of"))
+            members = [each for one in named for each in _listed(bank, usual, front, one, chosen)]
             row.finish()
-            if count is not None and not (count.denominator == 1 and 1 <= count < len(members)):
+            if count is not None and not (count.denominator == 1 and 1 <= count < len(named)):
                 row.complain(
                     node.line,
-                    f"any: {count} of {len(members)} problems; a pool deals some of its problems, at least one and not all",
+                    f"any: {count} of {len(named)} problems; a pool deals some of its problems, at least one and not all",
                 )
             pools.append(Pool(int(count or 1), tuple(each.code for each in members), node.line))
         else:

@@ -7,7 +7,7 @@ import io
 import os
 import re
 import secrets
-from collections.abc import Callable, Generator, Iterable
+from collections.abc import Callable, Generator, Iterable, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
@@ -18,6 +18,7 @@ from corollary.messages import did_you_mean
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.roster import COLUMNS, Student
 from corollary.problem.table import read_table
+from corollary.records.lms_names import Directory
 
 KEY_BYTES = 32
 # What nbgrader puts beside a notebook that was handed in.
@@ -133,10 +134,23 @@ def find_student(course: Course, name: str) -> Student:
     for each in everybody:
         if name in (each.id, each.email, *(other for _, other in each.ids)) and name:
             return each
+    if meant := ids_of(name, everybody):
+        raise UnknownStudent(
+            f"{name} is no id on the roster of {course.folder}; did you mean {' or '.join(meant)}?"
+        )
     hint = did_you_mean(name, (each.id for each in everybody))
     raise UnknownStudent(
         f"{name} is not on the roster of {course.folder}{hint}; generate with a roster that has them"
     )
+
+
+def ids_of(name: str, roster: Sequence[Student]) -> list[str]:
+    """The ids of those who have this whole name, or this id but for the zeros in front of it."""
+    directory = Directory(roster)
+    named = directory.by_name(name)
+    number = name.strip().lstrip("0")
+    padded = [each.id for each in roster if number and each.id.lstrip("0") == number]
+    return [named] if named else directory.namesakes(name) or padded
 
 
 def roster_table(roster: Iterable[Student]) -> str:

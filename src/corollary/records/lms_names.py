@@ -89,10 +89,16 @@ def again(stem: str) -> tuple[str, int]:
 class Directory:
     """Finds the student that a name or number of an LMS, or the name of a file, means; None when it is nobody or several."""
 
-    def __init__(self, students: Iterable[Student], numbers: Mapping[str, str] | None = None):
-        """`numbers` are those of an LMS that are known from elsewhere, with the id of the student."""
+    def __init__(
+        self,
+        students: Iterable[Student],
+        numbers: Mapping[str, str] | None = None,
+        worksheet: Mapping[str, str] | None = None,
+    ):
+        """`numbers` are those of an LMS that are known from elsewhere, with the id of the student; those of a `worksheet`, which
+        may be another assignment's, only tell apart those who have one name."""
         self._students = tuple(students)
-        self._by_number = dict(numbers or {})
+        self._by_number, self._in_worksheet = dict(numbers or {}), dict(worksheet or {})
         self._names: dict[str, set[str]] = {}
         self._ids: dict[str, set[str]] = {}
         for each in self._students:
@@ -108,6 +114,11 @@ class Directory:
     def by_name(self, name: str) -> str | None:
         return _only(self._names.get(_letters(name), set()))
 
+    def namesakes(self, name: str) -> list[str]:
+        """The ids of those who have this name; none where it is one student's, or nobody's."""
+        met = sorted(self._names.get(_letters(name), set()))
+        return met if len(met) > 1 else []
+
     def of_lms(self, found: LmsName) -> str | None:
         """By number where that is known (Canvas's is in its gradebook), else by name."""
         if (known := self._by_number.get(f"{found.lms} {found.number}")) is not None:
@@ -116,7 +127,9 @@ class Directory:
             theirs = {each.id for each in self._students if dict(each.ids).get("ID") == found.number}
             if theirs:
                 return _only(theirs)
-        return self.by_name(found.name) or self.by_id(found.name)
+        theirs = self._in_worksheet.get(f"{found.lms} {found.number}")
+        namesake = theirs if theirs in self.namesakes(found.name) else None
+        return self.by_name(found.name) or self.by_id(found.name) or namesake
 
     def admits(self, found: LmsName, student: str) -> bool:
         """Whether a name of an LMS may be this student's: a group or a middle name may stand with it, marking may be blind, and

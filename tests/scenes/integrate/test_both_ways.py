@@ -16,7 +16,7 @@ from corollary.scenes.run import BadSetting, GuardFailed
 
 @pytest.fixture
 def compiled():
-    pytest.importorskip("numba", reason="compiled steps need numba (pip install 'corollary[fast]')")
+    pytest.importorskip("numba", reason="compiled steps need numba (pip install '.[fast]')")
     return partial(regularised.collide, compiled=True)
 
 

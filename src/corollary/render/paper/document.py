@@ -8,6 +8,7 @@ from importlib import import_module
 from importlib.resources import files
 from typing import Any, Final
 
+from corollary.extras import installing
 from corollary.messages import spoken
 from corollary.render.paper.typst_formula import literal
 
@@ -28,7 +29,7 @@ def typesetter(module: str) -> Any:
         return import_module(module)
     except ImportError as error:
         raise CannotTypeset(
-            f'PDF needs the Python package {module}; install it with: pip install "corollary[pdf]"'
+            f"PDF needs the Python package {module}; install it with: {installing('pdf')}"
         ) from error
 
 

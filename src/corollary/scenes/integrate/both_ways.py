@@ -16,6 +16,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from corollary.extras import installing
 from corollary.scenes.run import BadSetting
 
 if TYPE_CHECKING:
@@ -57,9 +58,7 @@ def compiled(module: str) -> ModuleType:
     if name in sys.modules:
         return sys.modules[name]
     if importlib.util.find_spec("numba") is None:
-        raise BadSetting(
-            "Compiled steps need numba: pip install 'corollary[fast]', or unset COROLLARY_COMPILED."
-        )
+        raise BadSetting(f"Compiled steps need numba: {installing('fast')}, or unset COROLLARY_COMPILED.")
     from numba import config  # pyright: ignore[reportMissingImports]
 
     from corollary.user_cache import folder
