@@ -71,12 +71,6 @@ def test_a_course_that_nobody_named_gives_way(course: Path, given: dict[str, obj
     assert (found["course"] == course) is expected
 
 
-def test_a_site_is_for_everybody_and_takes_no_course_that_nobody_named(course: Path):
-    given = SHOW | {"to": "site"}
-    assert completed(given, course_needed=False, any_bank=True)["course"] is None
-    assert completed(given | {"course": course}, course_needed=False, any_bank=True)["course"] == course
-
-
 def test_no_course_is_looked_for_before_help(course: Path):
     (course / "corollary.toml").write_text("nonsense")
     from click.testing import CliRunner

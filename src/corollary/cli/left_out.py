@@ -96,6 +96,4 @@ def _has_room_for_a_course(options: Mapping[str, Any]) -> bool:
         if (made := target(options["to"])).site or made.items is not None:
             return made.site
     chosen = tuple(map(options.get, ("roster", "variants", "variant", "forms")))
-    if options.get("to") == "site":
-        return False  # it is for everybody
     return not any(each is not None for each in chosen) and options.get("student", "") is not None
