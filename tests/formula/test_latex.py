@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from corollary.formula.ast import Name, Number, Product
-from corollary.formula.latex import latex, letter
+from corollary.formula.latex import latex, letter, vector
 from corollary.formula.syntax import author_formula
 
 
@@ -85,6 +85,20 @@ def test_the_form_is_kept(formula, tex):
 
 def test_letters_can_be_given():
     assert latex(author_formula("m*v"), {"v": r"\vec{v}_{0}"}) == r"m\, \vec{v}_{0}"
+
+
+@pytest.mark.parametrize(
+    ("name", "tex"),
+    [
+        ("JAB", r"\vec{J}_{A,B}"),
+        ("v1", r"\vec{v}_{1}"),
+        ("dp_r", r"\Delta \vec{p}_{r}"),
+        ("mu", r"\vec{\mu}"),
+        ("pdot", r"\vec{\dot{p}}"),
+    ],
+)
+def test_the_arrow_of_a_vector_stands_over_its_letter_alone(name, tex):
+    assert vector(name) == tex
 
 
 def test_numbers_in_products_keep_apart():

@@ -33,7 +33,11 @@ SAID = [
         "X12_5_a = None\nIn = ['', 'X12_5_a = 1', 'X12_5_a = 8.6 N s  # mine']",
         'no answer yet: a number with its unit stands in quotes: X12_5_a = "8.6 N s"\n',
     ),
-    ("X12_5_a", "X12_5_a = 8.6\nIn = ['X12_5_a = 8.6 N', '%matplotlib\\nX12_5_a = 8.6']", "read as 8.6 kg m/s"),
+    (
+        "X12_5_a",
+        "X12_5_a = 8.6\nIn = ['X12_5_a = 8.6 N', '%matplotlib\\nX12_5_a = 8.6']",
+        "read as 8.6 kg m/s",
+    ),
     ("X12_5_a", "X12_5_a = 8.6\nIn = ['X12_5_a = 8.6 N', 'm = 8\\nX12_5_a = 1.0*m']", "read as 8.6 kg m/s"),
     ("X12_5_a", "X12_5_a = '8.6 N/s'", "a momentum or an impulse is expected"),
     ("X12_5_a", "X12_5_a = '1,234 N s'", "1.234 or 1234"),

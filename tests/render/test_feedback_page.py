@@ -76,6 +76,22 @@ def test_only_answers_that_were_read_are_called_read(of, work):
     assert "Your answer: <b>The</b> Earth recoils" in words
 
 
+@pytest.mark.parametrize(
+    ("read", "shown"),
+    [("-0.257 m/s", "−0.257 m/s"), ("(3 m/s, -4 m/s)", "(3 m/s, −4 m/s)"), ("1e-3 m, x to the left", "1e-3 m, x to the left")],
+)  # fmt: skip
+def test_a_number_below_zero_has_a_minus(of, work, read, shown):
+    grade = work.grades[0]
+    part = next(each for each in grade.parts if each.part.id == "a")
+    below = replace(
+        grade, parts=tuple(replace(each, answer=read) if each is part else each for each in grade.parts)
+    )
+    assert (
+        f"Your answer, as read: {shown}"
+        in Page(feedback_page(replace(work, grades=(below, *work.grades[1:])), of)).words
+    )
+
+
 def test_late_work_says_what_was_kept(of, work):
     words = Page(feedback_page(SAMPLE["late"](work), of)).words
     assert "Handed in 2 h 5 min after the due time, so 50 % of the points are kept: 4.5 became 2.25." in words

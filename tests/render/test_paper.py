@@ -242,6 +242,18 @@ def test_the_title_of_a_part_and_its_points_are_words_apart():
     assert b"(Mean force 2 points)" in said
 
 
+def test_a_question_stands_with_its_lines_and_three_lines_stand_together():
+    """Where a page ends among them; the title had stood alone at its foot, and one line on the next page."""
+
+    def page_of(word: str, above: float) -> int:
+        body = f"= Set\n\nAll.\n\n#v({above}cm)\n\n#asked[== Why?]\n\n#ruled(9)\n\nEnd"
+        return next(at for at, text in enumerate(text_of(page(body)).split("\f")) if word in text)
+
+    assert (page_of("Why?", 12), page_of("End", 12)) == (0, 0)
+    assert (page_of("Why?", 18), page_of("End", 18)) == (0, 1)
+    assert page_of("Why?", 22.3) == 1, "there is room for the title and one line"
+
+
 def test_no_line_of_a_marking_scheme_reaches_into_another():
     """Two lines of fractions of fractions are as high as both."""
     tall = typst_formula(r"\frac{\sqrt{\frac{a}{b}}^2}{\frac{c}{d}}")

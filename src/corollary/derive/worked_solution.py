@@ -24,7 +24,7 @@ from corollary.derive.statements import Code, Explain
 from corollary.derive.typeset_numbers import given_numbers, quantity
 from corollary.formula.ast import Expr, Name, Number, Relation, names
 from corollary.formula.ball import certified
-from corollary.formula.latex import latex, letter
+from corollary.formula.latex import latex, letter, vector
 from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
 from corollary.messages import catalogue, in_convention
@@ -187,7 +187,7 @@ def _roman(word: str) -> str:
 
 def _law(law: AppliedLaw) -> str:
     """The textbook's equation, when it holds, and what it says here."""
-    bold = {name: rf"\vec{{{letter(name)}}}" for name in law.vectors}
+    bold = {name: vector(name) for name in law.vectors}
     title = _law_name(law.name) + (f" {law.source}" if law.source else "")
     if law.holds:
         title = _("{law}, since {condition}", law=title, condition=_law_name(law.holds))

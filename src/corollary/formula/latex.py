@@ -46,6 +46,16 @@ def letter(name: str) -> str:
     return head + (f"_{{{','.join(indices)}}}" if indices else "")
 
 
+def vector(name: str) -> str:
+    r"""The letter with an arrow over it, and none over its indices: `JAB` is \vec{J}_{A,B}, `dp` is \Delta \vec{p}."""
+    whole = letter(name)
+    if whole.startswith(r"\dot"):
+        return rf"\vec{{{whole}}}"
+    change = r"\Delta " if whole.startswith(r"\Delta ") else ""
+    head, line, index = whole.removeprefix(change).partition("_")
+    return rf"{change}\vec{{{head}}}{line}{index}"
+
+
 def _latex(tree: Expr, letters: Mapping[str, str]) -> tuple[str, int]:
     def within(part: Expr, hold: int) -> str:
         written, own = _latex(part, letters)

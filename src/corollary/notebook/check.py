@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import ast
 import os
 import re
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import Any, cast
 
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.preview import Preview
@@ -91,15 +90,13 @@ class Check:
 
 
 def _without_quotes(name: str, cells: object) -> str:
-    """What the last cell with this answer gives it, such as `8.6 N s`, where Python cannot read that; `cells` are the notebook's
-    as they were run, which IPython keeps."""
-    given = re.compile(rf"^{re.escape(name)}[ \t]*=[ \t]*([^=\s].*?)[ \t]*(?:#.*)?$", re.MULTILINE)
-    texts = [each for each in cells if isinstance(each, str)] if isinstance(cells, list) else []
-    last, match = next(((text, found) for text in reversed(texts) if (found := given.search(text))), ("", None))
-    if match is None or not re.match(r"[-+\u2212]?\s*[\d.,]+[^\"\'()\[\]]*[^\W\d_]", match[1]):
-        return ""
-    try:
-        ast.parse(last)
-    except SyntaxError:
-        return match[1]
+    """`8.6 N s` where the last cell with this answer says so, which Python cannot read; IPython keeps the cells."""
+    for text in reversed(cast("list[str]", cells) if isinstance(cells, list) else []):
+        if re.search(rf"^{name} *=", text, re.MULTILINE):
+            found = re.search(rf"^{name} *= *([-+\d.,][^\"'#()\n]*[^\W\d]) *(#.*)?$", text, re.MULTILINE)
+            try:
+                compile(text, name, "exec")
+            except SyntaxError:
+                return found[1] if found else ""
+            return ""
     return ""

@@ -14,7 +14,7 @@ from corollary.answers.evaluation import as_exact
 from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
 from corollary.formula.ast import Expr, Name, Number, names
 from corollary.formula.ball import Undefined, certified
-from corollary.formula.latex import latex, letter
+from corollary.formula.latex import latex, letter, vector
 from corollary.grading.advice import advice, steps_to
 from corollary.grading.key import Key
 from corollary.grading.replay import letters_of
@@ -114,7 +114,7 @@ def _of_laws(laws: Sequence[AppliedLaw], answers: Sequence[Expr], why: str = "")
 
 
 def _equation(law: AppliedLaw) -> str:
-    return latex(law.textbook, {name: rf"\vec{{{letter(name)}}}" for name in law.vectors})
+    return latex(law.textbook, {name: vector(name) for name in law.vectors})
 
 
 def _why(step: Unknown) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 import msgspec
@@ -14,6 +15,8 @@ from corollary.render.page import page
 from corollary.render.wording import BLANK, BY_HAND, LOOKS, Look, spell
 
 _ = catalogue(__name__)
+
+HYPHEN_AS_MINUS = re.compile(r"(?<![\w.^])-(?=[\d.])")
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +43,9 @@ class MarkedPart:
     def answer(self) -> str:
         """The answer as it was read; as it was written, where it was not."""
         record = self.record
-        return record.answer if record.verdict in {"unread", "unmarked"} else in_convention(record.answer)
+        if record.verdict in {"unread", "unmarked"}:
+            return record.answer
+        return HYPHEN_AS_MINUS.sub("\u2212", in_convention(record.answer))
 
     @property
     def comment(self) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from corollary.derive.solution import AppliedLaw, Solution
 from corollary.formula.ast import Name, Number, names
-from corollary.formula.latex import latex, letter
+from corollary.formula.latex import latex, vector
 from corollary.messages import catalogue
 from corollary.render.paper.typst_formula import typst_formula
 from corollary.render.paper.typst_text import words_of
@@ -30,7 +30,7 @@ def typst_formulas(solutions: Iterable[Solution]) -> str:
             in_own = names(textbook.left) | names(textbook.right) <= own | {"pi"} and law.here == (textbook,)
             if in_own or all(isinstance(side, Name | Number) for side in (textbook.left, textbook.right)):
                 continue
-            vectors = {name: rf"\vec{{{letter(name)}}}" for name in law.vectors}
+            vectors = {name: vector(name) for name in law.vectors}
             equation = latex(textbook, vectors)
             found[_law_name(law.name), equation] = typst_formula(equation, display=True)
     if not found:

@@ -55,10 +55,8 @@ def typst_exercise_key(exercise: Exercise, key: Key, scheme: Scheme, weight: flo
     )
     numbers = typst_line(_("Numbers: {givens}", givens=givens)) if givens else ""
     prompts = {prompt.part.id: prompt for prompt in exercise.prompts}
-    pieces = [
-        f"#exercise([{words_of(f'{problem.code} {problem.title}')}], [{words_of(total)}])",
-        numbers,
-    ]
+    title = f"#exercise([{words_of(f'{problem.code} {problem.title}')}], [{words_of(total)}])"
+    pieces = [f"#asked[{title}\n\n{numbers}]"]
     for each in marking_scheme(key, scheme, weight):
         prompt = prompts[each.part.id]
         title = words_of(f"({prompt.part.heading_letter}) ") + typst_line(prompt.part.title)

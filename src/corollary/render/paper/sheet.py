@@ -121,5 +121,5 @@ def _part(prompt: Prompt, room: bool, level: int) -> str:
     title = words_of(f"({prompt.part.heading_letter}) ") + typst_line(prompt.part.title)
     heading = f"#part([{title}], [{words_of(points_earned(prompt.out_of))}], level: {level})"
     space = answer_space(prompt) if room or prompt.options else ""
-    body = "\n\n".join(filter(None, (heading, typst_text(prompt.text), space)))
-    return body if "#ruled" in space else f"#together[{body}]"
+    asked = "\n\n".join(filter(None, (heading, typst_text(prompt.text))))
+    return f"#asked[{asked}]\n\n{space}" if "#ruled" in space else f"#together[{asked}\n\n{space}]"
