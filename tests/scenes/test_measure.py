@@ -7,6 +7,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from corollary.scenes import measure
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.friction import Friction
@@ -167,3 +168,21 @@ DUMBBELL = Scene(
 def test_looking_at_the_direction_of_a_slip_again_is_nothing_that_happens(scene, tolerance):
     """Two runs look at different moments; nothing touches, hits or comes loose there."""
     assert play(scene, {Observable.VELOCITIES}, tolerance).warnings == ()
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-5, 1e-9])
+def test_a_scene_is_followed_three_times_however_loose_the_tolerance(tolerance):
+    """A looser one than the loosest is taken for that, and not followed once more for the question whether something grazes."""
+    scene = Scene((Body(1.0, (3.0,), (-1.0,)),), (Weight(9.8), HardWall((1.0,), restitution=0.5)), until=1.5)
+    followed, follow = [], measure.follow
+
+    def counted(*given, **named):
+        followed.append(follow(*given, **named))
+        return followed[-1]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(measure, "follow", counted)
+        measure._paths.cache_clear()
+        found = play(scene, {Observable.VELOCITIES}, tolerance)
+    assert len(followed) == 3
+    assert found.evaluations == sum(path.evaluations for path in followed)

@@ -45,13 +45,15 @@ CHAOTIC = 1e6
 @lru_cache(maxsize=8)
 def _paths(scene: Scene, tolerance: float) -> tuple[float, Trajectory, Trajectory, Trajectory | None]:
     """The tolerance that is fine enough, a coarser run, a finer one, and a coarser one of slightly other data; none if that cannot be followed."""
-    tolerance = min(tolerance, TIED if ties_pucks(scene) else COARSEST)
+    finer = min(tolerance, TIED if ties_pucks(scene) else COARSEST)
     try:
-        return tolerance, *_followed(scene, tolerance)
+        if finer == tolerance:
+            return tolerance, *_followed(scene, tolerance)
     except GuardFailed as error:
-        if not error.finer or tolerance * TIGHTER < FINER * FINEST:
+        finer = tolerance * TIGHTER
+        if not error.finer or finer < FINER * FINEST:
             raise
-    return _paths(scene, tolerance * TIGHTER)
+    return _paths(scene, finer)  # under the tolerance that it gives back
 
 
 def _followed(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, Trajectory | None]:
@@ -126,9 +128,7 @@ def measured(
         if what is Observable.ENERGY and keeps_energy(scene):
             found[what.value] = conserved(scene, right, why)
             continue
-        size = max(
-            [abs(x) for x in components(value) if math.isfinite(x)] + [sizes.get(what, 0.0)], default=0.0
-        )
+        size = max([sizes.get(what, 0.0), *map(abs, components(value))])
         # What runs are apart is a part of what moved, and not of what forces could do.
         span = max(hot, *map(abs, components(value))) if what is Observable.ENERGY else size
         apart = _apart(look(scene, rough, what, times), value)
@@ -185,7 +185,7 @@ def measured(
             f"a small change of the data comes out {worst:.0e} times larger or more (chaos, or an edge): "
             f"at most {max(16.0 - math.log10(worst), 0.0):.0f} digits can be had"
         )
-    spent = rough.evaluations + right.evaluations + (other.evaluations if other else 0)
+    spent = sum(path.evaluations for path in (rough, right, other, *shifted) if path)
     return Run(found, spent, outcome(scene, right), tuple(warnings))
 
 
@@ -238,7 +238,6 @@ def _shares(
     other moments by both, and compared at the earlier one.
     """
     long, fast, axes = sizes[Observable.TRAJECTORY], sizes[Observable.VELOCITIES], scene.axes
-
     ends = min(rough.time, right.time) if rough.settled and right.settled else None
 
     def spread(time: float | None) -> list[float]:
