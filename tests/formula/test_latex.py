@@ -90,9 +90,9 @@ def test_letters_can_be_given():
 @pytest.mark.parametrize(
     ("name", "tex"),
     [
-        ("JAB", r"\vec{J}_{A,B}"),
-        ("v1", r"\vec{v}_{1}"),
-        ("dp_r", r"\Delta \vec{p}_{r}"),
+        ("JAB", r"{\vec{J}_{A,B}}"),
+        ("v1", r"{\vec{v}_{1}}"),
+        ("dp_r", r"\Delta {\vec{p}_{r}}"),
         ("mu", r"\vec{\mu}"),
         ("pdot", r"\vec{\dot{p}}"),
     ],

@@ -47,13 +47,14 @@ def letter(name: str) -> str:
 
 
 def vector(name: str) -> str:
-    r"""The letter with an arrow over it, and none over its indices: `JAB` is \vec{J}_{A,B}, `dp` is \Delta \vec{p}."""
+    r"""The letter with an arrow over it, and none over its indices: `JAB` is {\vec{J}_{A,B}}, `dp` is \Delta \vec{p}."""
     whole = letter(name)
     if whole.startswith(r"\dot"):
         return rf"\vec{{{whole}}}"
     change = r"\Delta " if whole.startswith(r"\Delta ") else ""
     head, line, index = whole.removeprefix(change).partition("_")
-    return rf"{change}\vec{{{head}}}{line}{index}"
+    # One thing in braces: its square is a power of the whole, and not a letter with an index and a power at once.
+    return rf"{change}{{\vec{{{head}}}{line}{index}}}" if line else rf"{change}\vec{{{head}}}"
 
 
 def _latex(tree: Expr, letters: Mapping[str, str]) -> tuple[str, int]:

@@ -66,12 +66,8 @@ class Moment:
         mode = self._at_rest(touching, sides) or self._settle_forces(touching, sides)
         resting: set[int] = set()
         for _ in range(len(self.system.constraints) + 1):
-            slow = (
-                small_bounces(self.system, self.time, self.y, self._near(), mode, self.sizes)
-                if self.hits
-                else {}
-            )
-            if not slow:
+            slow = small_bounces(self.system, self.time, self.y, self._near(), mode, self.sizes)
+            if not (slow and self.hits):
                 break
             self.dropped = max(self.dropped, *(rate for rate, _ in slow.values()))
             self.lasts = max(self.lasts, *(lasts for _, lasts in slow.values()))
@@ -92,11 +88,15 @@ class Moment:
         if not idle:
             return None
         try:
-            mode = replace(self, barred_rubs={}, y=list(self.y)).decided(touching, sides)
+            moment = replace(self, barred_rubs={}, y=list(self.y), doubts=set[Doubt]())
+            mode = moment.decided(touching, sides)
         except GuardFailed:
             return None
         stays = all(mode.rubbed[k] == "stick" for k in self.barred_rubs if self.before.rubbed[k] == "stick")
-        return mode if stays and any(mode.held[i] == "on" for i in idle) else None
+        if not (stays and any(mode.held[i] == "on" for i in idle)):
+            return None
+        self.y[:], self.doubts = moment.y, moment.doubts
+        return mode
 
     def _resting(self) -> list[int]:
         """The constraints that could hold: closed, and not opening."""
