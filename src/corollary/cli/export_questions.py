@@ -11,6 +11,7 @@ from corollary.cli.console import console
 from corollary.cli.ending import HOLDS, answer, say
 from corollary.cli.export_options import USUAL_FOLDER, ExportOptions
 from corollary.cli.left_out import course_around
+from corollary.cli.open_sets import course_in
 from corollary.course.export import write_files
 from corollary.course.item_export import Exported, export_items
 from corollary.messages import few
@@ -46,9 +47,8 @@ def _course(named: Path | None) -> Course | None:
     """The one named, else the one around, where there is one in which something was generated."""
     if named is not None:
         return open_course(named)
-    around = course_around()
     with suppress(NotACourse):
-        return None if around is None else open_course(around)
+        return course_in(course_around())
     return None
 
 

@@ -141,12 +141,14 @@ def _from_file(course: Course, problem_set: ProblemSet, file: Path) -> Marks:
 
 def _place(course: Course, problem_set: ProblemSet, student: str, part: str, where: str) -> tuple[str, str]:
     """The student and the part by the names that marks go by. Raises NotMarkable, which opens with `where`."""
-    for record in (None, stored_record(course, problem_set.name, student)):
-        try:  # it may be one that was handed out and taken out of the problem since
-            return student, part_named(problem_set, part, record)
-        except NotMarkable as error:
-            unknown = error
-    raise NotMarkable(f"{where}: {unknown}; no mark was given")
+    try:
+        return student, part_named(problem_set, part)
+    except NotMarkable:  # it may be one that was handed out and taken out of the problem since
+        record = stored_record(course, problem_set.name, student)
+    try:
+        return student, part_named(problem_set, part, record)
+    except NotMarkable as error:
+        raise NotMarkable(f"{where}: {error}; no mark was given") from None
 
 
 def _ids(course: Course) -> dict[str, str]:

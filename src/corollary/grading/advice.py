@@ -49,8 +49,7 @@ def advice(key: Key, part: Part) -> str:
 
 def _steps(key: Key, asked: Unknown) -> list[Unknown]:
     """The step that answers the part, and before it those that lead to it and that the sheet does not ask for."""
-    parts = {part.id for part in key.variant.problem.parts}
-    return steps_to(key.solution, asked, parts)
+    return steps_to(key.solution, asked, key.asked)
 
 
 def steps_to(solution: Solution, asked: Unknown, known: Set[str]) -> list[Unknown]:

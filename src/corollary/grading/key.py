@@ -85,6 +85,11 @@ class Key:
         """The answer to a part that asks for a quantity or a formula."""
         return self.truths[part]
 
+    @property
+    def asked(self) -> set[str]:
+        """The parts that the sheet asks: a set may leave some out."""
+        return {part.id for part in self.variant.problem.parts}
+
     def find(self, truth: Truth) -> Unknown:
         return self.solution.unknowns[truth.place]
 

@@ -132,7 +132,7 @@ def _mistakes(key: Key, part: Part, truth: Truth, scheme: Scheme, out_of: float)
 
 def _carried(key: Key, truth: Truth) -> Iterator[CarriedAnswer]:
     """By the author's way and by others, each in the letters of what was asked before."""
-    solution, parts = key.solution, {part.id for part in key.variant.problem.parts}
+    solution, parts = key.solution, key.asked
     if same_as(solution, truth.place) in parts:
         return  # written down again it earns nothing
     ways = [*_authors_way(key, truth)]
@@ -149,7 +149,7 @@ def _carried(key: Key, truth: Truth) -> Iterator[CarriedAnswer]:
 
 def _authors_way(key: Key, truth: Truth) -> Iterator[CarriedAnswer]:
     """What the sheet does not ask about is put in; what is simulated stays a letter, whose value is known."""
-    parts = {part.id for part in key.variant.problem.parts}
+    parts = key.asked
     meaning: dict[str, Expr] = {}
     asked: dict[str, str] = {}
     for place, find in enumerate(key.solution.unknowns[: truth.place + 1]):

@@ -83,7 +83,7 @@ def chapter_bank() -> Bank:
         if (folder / "problems").is_dir() and (folder / "solutions").is_dir():
             return Bank(folder)
     raise UnknownCode(
-        f"the chapter's bank is missing beside {package}; install Corollary anew, from its folder or name a bank with --bank DIR"
+        f"the chapter's bank is missing beside {package}; install Corollary anew, from its folder, or name a bank with --bank DIR"
     )
 
 

@@ -79,7 +79,7 @@ def _age(path: Path) -> float:
 
 def _unknown(course: Course, set_name: str, bank: Bank, here: list[str]) -> UnknownCode:
     assigned = course.record("assigned", f"{set_name}.json")
-    if _origin(course, set_name).exists():
+    if has_set(course, set_name):
         return UnknownCode(
             f"the bank {bank.place} has no set {set_name}, and the file that it was generated from is gone or lies in another "
             f"bank; name the set's own file ({set_name}.md with its path) in the place of {set_name}"

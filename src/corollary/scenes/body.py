@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 # So small a cosine of the angle between two vectors is what rounding leaves of none.
@@ -37,6 +38,11 @@ def starts_across(body: Body) -> bool:
     """Whether a body starts at rest, or across the way to the origin, but for rounding: its distance turns there."""
     along = sum(x * v for x, v in zip(body.place, body.velocity, strict=True))
     return abs(along) <= ACROSS * math.hypot(*body.place) * math.hypot(*body.velocity)
+
+
+def inside(apart: Sequence[float], reach: float) -> float:
+    """How far (m) a place is within a reach, nearly: squares are as smooth as the way, distances bend beside the centre."""
+    return (reach * reach - sum(x * x for x in apart)) / (2.0 * reach)
 
 
 def nothing_moves(first: Body, second: Body) -> bool:

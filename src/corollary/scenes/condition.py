@@ -17,7 +17,6 @@ DEAR = 12_000
 APART = 0.618  # the golden ratio: its multiples leave parts of one that are all different
 ILL = 1e6  # from this condition on it is worth a warning
 DIGITS = 15.95  # of a double
-MOST = 1e300  # however large a condition is
 
 
 def with_conditions(found: Run, tolerance: float) -> Run:
@@ -49,7 +48,7 @@ def with_conditions(found: Run, tolerance: float) -> Run:
     }
     for name, condition in most.items():
         if condition > ILL:
-            digits = max(0, math.floor(DIGITS - math.log10(min(condition, MOST))))
+            digits = math.floor(max(0.0, DIGITS - math.log10(condition)))
             warnings.append(
                 f"{name} changes {condition:.0e} times as much as the settings (a grazing hit, contacts that all but coincide, or chaos): "
                 f"settings with sixteen digits give it no more than {digits}."

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from corollary.scenes.body import inside
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, Event, Force, Pushes, Scene, State, bounced, place, velocity
 from corollary.scenes.sound import refuse_below_zero
@@ -48,7 +49,7 @@ class Well(Force):
         a step would cost the method its order.
         """
         for i in range(len(scene.bodies)):
-            if _inside(place(scene, since, i), self.edge) > 0.0:
+            if inside(place(scene, since, i), self.edge) > 0.0:
                 x = place(scene, state, i)
                 r = math.hypot(*x)
                 yield i, [-self.k * (r - self.b) * c / r for c in x]
@@ -72,14 +73,9 @@ class Well(Force):
 
         for i, body in enumerate(scene.bodies):
             if not math.isinf(body.mass):
-                yield Event(lambda y, i=i: _inside(place(scene, y, i), self.edge))
-                yield Event(lambda y, i=i: -_inside(place(scene, y, i), core), i, lambda y, i=i: turned(y, i))
+                yield Event(lambda y, i=i: inside(place(scene, y, i), self.edge))
+                yield Event(lambda y, i=i: -inside(place(scene, y, i), core), i, lambda y, i=i: turned(y, i))
 
     @property
     def conserves(self) -> Conserves:
         return Conserves.ENERGY
-
-
-def _inside(x: Sequence[float], reach: float) -> float:
-    """How far (m) a place is within a reach of the origin, nearly: squares are as smooth as the way, distances bend beside the centre."""
-    return (reach * reach - sum(c * c for c in x)) / (2.0 * reach)

@@ -9,6 +9,7 @@ from typing import Literal
 
 import numpy as np
 
+from corollary.scenes.body import inside
 from corollary.scenes.constraint import State
 from corollary.scenes.integrate.contact_motion import NEAREST
 from corollary.scenes.motion.isolation import minima
@@ -168,8 +169,7 @@ class Guards:
         blur = self.sizes.blur + (0.0 if self._begins_at(a, b, reach) else self.sizes.shift)
 
         def value(time: float, y: State) -> float:
-            square = sum(x * x for x in seen_from(self.system.scene, y, a, b)[0])
-            return sign * (reach * reach - square) / (2.0 * reach) + blur
+            return sign * inside(seen_from(self.system.scene, y, a, b)[0], reach) + blur
 
         self._add(Guard(kind, number, f"bodies {a} and {b}"), value)
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from corollary.scenes.motion.complementarity import settled
 from corollary.scenes.motion.multipliers import Item, Status, answer
+from corollary.scenes.motion.reversal import accelerations
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Mode, System
 
@@ -65,8 +66,7 @@ def small_bounces(
     }
     if not opening:
         return {}
-    _, found, gained = system.held(time, y, y, mode)
-    acceleration = np.asarray(gained) + system.inverse(time) * found.total
+    acceleration = accelerations(system, time, y, mode)
     slow: dict[int, tuple[float, float]] = {}
     for i, rate in opening.items():
         c = system.constraints[i]

@@ -65,9 +65,9 @@ class Moment:
         self.stopped |= {k for k in slipping if unseen(self.system, self.time, self.y, k, self.sizes.speed)}
         mode = self._at_rest(touching, sides) or self._settle_forces(touching, sides)
         resting: set[int] = set()
-        for _ in range(len(self.system.constraints) + 1):
+        for _ in range(len(self.system.constraints) + 1 if self.hits else 0):
             slow = small_bounces(self.system, self.time, self.y, self._near(), mode, self.sizes)
-            if not (slow and self.hits):
+            if not slow:
                 break
             self.dropped = max(self.dropped, *(rate for rate, _ in slow.values()))
             self.lasts = max(self.lasts, *(lasts for _, lasts in slow.values()))

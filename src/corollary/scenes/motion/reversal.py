@@ -76,7 +76,7 @@ def not_yet(
         speed = float(np.linalg.norm(slip))
         slows = -float(slip @ _gained(system, time, y, before, k)) / speed if speed else 0.0
         lasts = max(lasts, speed / slows) if slows > 0.0 else lasts
-    was, now = (_accelerations(system, time, *each) for each in ((y, before), (stopped, mode)))
+    was, now = (accelerations(system, time, *each) for each in ((y, before), (stopped, mode)))
     axes = system.scene.axes
     gains = lasts * (was - now)
     for rub in (system.rubs[k] for k, status in enumerate(mode.rubbed) if status == "stick"):
@@ -85,7 +85,7 @@ def not_yet(
     return gains.tolist()
 
 
-def _accelerations(system: System, time: float, y: State, mode: Mode) -> Array:
+def accelerations(system: System, time: float, y: State, mode: Mode) -> Array:
     """Of each component of the velocity in a mode (m/s^2)."""
     _, found, gained = system.held(time, y, y, mode)
     return np.asarray(gained) + system.inverse(time) * found.total
@@ -93,5 +93,5 @@ def _accelerations(system: System, time: float, y: State, mode: Mode) -> Array:
 
 def _gained(system: System, time: float, y: State, mode: Mode, k: int) -> Array:
     """How fast a slip changes in a mode (m/s^2)."""
-    acceleration = _accelerations(system, time, y, mode)
+    acceleration = accelerations(system, time, y, mode)
     return np.array(system.rubs[k].rows(time, y)) @ acceleration + np.array(system.rubs[k].drift(time, y))
