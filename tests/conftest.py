@@ -49,8 +49,9 @@ AXE = "axe-core@4.14.1"
 @pytest.fixture(scope="session")
 def chromium():
     """A browser, for tests with the marker `browser`; it may reach this machine and nothing else."""
-    from playwright.sync_api import sync_playwright
+    from playwright.sync_api import expect, sync_playwright
 
+    expect.set_options(timeout=120_000)  # a loaded machine takes its time; a page that is wrong stays wrong
     names = ("chromium", "chromium-browser", "google-chrome")
     program = os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
     quiet = "--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking"

@@ -209,7 +209,6 @@ def test_a_student_practises(address, chromium, axe):
     """Choose, type, see how it is read, be wrong, take a hint, be right; and what was done is still there after a reload."""
     from playwright.sync_api import expect
 
-    expect.set_options(timeout=120_000)
     context = chromium.new_context(viewport={"width": 390, "height": 800}, bypass_csp=True)
     page, wrong = context.new_page(), list[str]()
     page.on("pageerror", lambda error: wrong.append(str(error)))

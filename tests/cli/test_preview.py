@@ -136,7 +136,6 @@ def test_the_page_follows_what_is_saved(address, bank, problem, chromium):
     page.on("pageerror", lambda error: wrong.append(str(error)))
     page.goto(address)
     page.set_default_timeout(60_000)
-    expect.set_options(timeout=120_000)
     expect(page.locator(".sheet:visible")).to_have_count(1)
     expect(page.locator(".sheet:visible h2")).to_have_text("Its own numbers")
     page.locator("tbody a").nth(2).click()

@@ -94,7 +94,7 @@ def test_what_is_given_in_formgrader_is_in_the_report_at_once(
     rubric = "Says that a floor that moves away takes energy from the ball"
     assert rubric in text, "the rubric stands by the answer"
     assert not re.search(r"\b(ada|ben|cyd|Lovelace|Boole)\b", text), "marking is anonymous"
-    page.wait_for_timeout(500)
+    page.wait_for_load_state("networkidle")
     page.fill("#X12_11_c", "1.5")
     page.fill("#X12_11_c-comment", "Say more.")
     page.keyboard.press("Tab")

@@ -170,7 +170,6 @@ def test_a_student_practises_without_a_network(chromium, site):
     """From a file: wrong, a hint, right by a formula; what follows; worked solution and motion."""
     from playwright.sync_api import expect
 
-    expect.set_options(timeout=120_000)
     assert (site.parent / "pyodide" / "snapshot.js").is_file()
     context = chromium.new_context(viewport={"width": 390, "height": 800}, offline=True)
     page, wrong = context.new_page(), list[str]()
