@@ -11,8 +11,9 @@ import numpy as np
 from corollary.scenes.motion.energy import keeps_energy, kinetic
 from corollary.scenes.motion.energy_errors import conserved, energy_lost, energy_off, hottest
 from corollary.scenes.motion.follow import follow
-from corollary.scenes.motion.observe import contact_span, look, outcome, state_at, unequal
+from corollary.scenes.motion.observe import contact_span, look, outcome, unequal
 from corollary.scenes.motion.path import Trajectory
+from corollary.scenes.motion.runs_apart import BY_BODY, apart_by, shares, together
 from corollary.scenes.motion.ties import TIED, doubts, ties_pucks
 from corollary.scenes.motion.turns import flat, near
 from corollary.scenes.perturbation import CHANGED, perturbed
@@ -28,7 +29,7 @@ from corollary.scenes.run import (
     Run,
     components,
 )
-from corollary.scenes.scene import Scene, place, start_of, velocity
+from corollary.scenes.scene import Scene, start_of
 
 SAFETY = 1.5
 """What the difference of the two is multiplied with: it is the coarser run's error, the finer's is a tenth of it or less."""
@@ -37,7 +38,6 @@ FEWER = 0.65
 FINEST, TIGHTER = 2e-14, 1e-2
 BY_TOUCH = 10.0
 """So many times what a step may be off is what a slight touch, or the root that a parting ends in, has cost: by benchmarks/calibration.py."""
-BY_BODY = {Observable.VELOCITIES, Observable.TRAJECTORY, Observable.IMPULSE}
 CHAOTIC = 1e6
 """From this condition on a change of the data by CHANGED comes out as large as the value: it is said."""
 
@@ -131,12 +131,14 @@ def measured(
         size = max([sizes.get(what, 0.0), *map(abs, components(value))])
         # What runs are apart is a part of what moved, and not of what forces could do.
         span = max(hot, *map(abs, components(value))) if what is Observable.ENERGY else size
-        apart = _apart(look(scene, rough, what, times), value)
-        share = _shares(scene, rough, right, what, times, sizes)
+        apart = apart_by(look(scene, rough, what, times), value)
+        share = shares(scene, rough, right, what, times, sizes)
         condition = None
         if other is not None and size:
             try:
-                condition = max(_apart(look(scene, other, what, times), value), default=0.0) / size / CHANGED
+                condition = (
+                    max(apart_by(look(scene, other, what, times), value), default=0.0) / size / CHANGED
+                )
             except BadSetting:  # with the data changed a little there is none
                 condition = math.inf
             if not math.isfinite(condition):  # or another number of them: more than this is not known
@@ -149,10 +151,10 @@ def measured(
             rounding += math.ulp(right.long) / right.deep * max(condition or 1.0, 1.0) * size
         # One that cannot be followed leaves nothing certain.
         beside = [
-            _apart(look(scene, path, what, times), value) if path else (size,) * len(apart)
+            apart_by(look(scene, path, what, times), value) if path else (size,) * len(apart)
             for path in shifted
         ]
-        decided = _together(
+        decided = together(
             scene, what, [max(each) for each in zip(*beside, strict=True)] or [0.0] * len(apart)
         )
         # Places keep what velocities forget: that of several steps.
@@ -223,47 +225,6 @@ def _unmet(path: Trajectory, what: Observable) -> float:
     return path.deep / path.fast if what is Observable.DURATION else 0.0
 
 
-def _shares(
-    scene: Scene,
-    rough: Trajectory,
-    right: Trajectory,
-    what: Observable,
-    times: Sequence[float],
-    sizes: dict[Observable, float],
-) -> list[float]:
-    """How far two runs are apart as a whole, body by body, in the unit of each number that is observed.
-
-    The error of a single component may pass through zero between two tolerances; that of a body's place and velocity together does
-    not. For what is not a number of each body: the largest, in units of the sizes of the scene. What fades for ever is given up at
-    other moments by both, and compared at the earlier one.
-    """
-    long, fast, axes = sizes[Observable.TRAJECTORY], sizes[Observable.VELOCITIES], scene.axes
-    ends = min(rough.time, right.time) if rough.settled and right.settled else None
-
-    def spread(time: float | None) -> list[float]:
-        first, second = (p.state if time is None else state_at(scene, p, time) for p in (rough, right))
-        # At a hit velocities jump, and places do not.
-        jumps = time is not None and rough.hits_before(time) != right.hits_before(time)
-        return [
-            max(
-                math.dist(place(scene, first, i), place(scene, second, i)) / long,
-                0.0 if jumps else math.dist(velocity(scene, first, i), velocity(scene, second, i)) / fast,
-            )
-            for i in range(len(scene.bodies))
-        ]
-
-    match what:
-        case Observable.VELOCITIES:
-            return [each * fast for each in spread(ends) for _ in range(axes)]
-        case Observable.TRAJECTORY:
-            return [each * long for time in times for each in spread(time) for _ in range(axes)]
-        case Observable.IMPULSE:
-            loose = [(b.mass, s) for b, s in zip(scene.bodies, spread(ends), strict=True)]
-            return [m * s * fast for m, s in loose if not math.isinf(m) for _ in range(axes)]
-        case _:
-            return [max(spread(ends))]
-
-
 def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
     """What is known beside the difference of runs: touches met slowly, bounces still going on at the end."""
     if what is Observable.DURATION:
@@ -284,16 +245,3 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
             (b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0
         )
     return 0.0
-
-
-def _together(scene: Scene, what: Observable, each: Sequence[float]) -> list[float]:
-    """For every component the largest of its body's, where bodies have such; otherwise of all."""
-    axes = scene.axes if what in BY_BODY else len(each) or 1
-    return [max(each[i - i % axes : i - i % axes + axes]) for i in range(len(each))]
-
-
-def _apart(a: Observed, b: Observed) -> tuple[float, ...]:
-    first, second = components(a), components(b)
-    if len(first) != len(second):
-        return (math.inf,) * len(second)
-    return tuple(abs(x - y) if x != y else 0.0 for x, y in zip(first, second, strict=True))

@@ -115,7 +115,7 @@ def test_bounces_gain_no_energy_from_how_touches_are_met():
         time, speed, bounces = time + 2.0 * speed * restitution / weight, speed * restitution, bounces + 1
     found = follow(scene, 1e-11)
     assert len(found.happenings) == bounces == 11
-    assert found.state[3] == pytest.approx(weight * (time - scene.until) - speed, abs=1e-13)
+    assert found.state[3] == pytest.approx(weight * (time - scene.until) - speed, abs=1e-12)
 
 
 @pytest.mark.parametrize("tolerance", [1e-11, 5e-13])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -87,16 +88,15 @@ class Moment:
         idle = [i for i in self._resting() if self.before.held[i] == "off"]
         if not idle:
             return None
-        try:
-            moment = replace(self, barred_rubs={}, y=list(self.y), doubts=set[Doubt]())
+        moment = replace(self, barred_rubs={}, y=list(self.y), doubts=set[Doubt]())
+        with suppress(GuardFailed):
             mode = moment.decided(touching, sides)
-        except GuardFailed:
-            return None
-        stays = all(mode.rubbed[k] == "stick" for k in self.barred_rubs if self.before.rubbed[k] == "stick")
-        if not (stays and any(mode.held[i] == "on" for i in idle)):
-            return None
-        self.y[:], self.doubts = moment.y, moment.doubts
-        return mode
+            slips = [k for k in self.barred_rubs if self.before.rubbed[k] == "stick" != mode.rubbed[k]]
+            if not slips and any(mode.held[i] == "on" for i in idle):
+                self.y[:], self.doubts, self.hits = moment.y, moment.doubts, moment.hits
+                self.dropped, self.calmed, self.lasts = moment.dropped, moment.calmed, moment.lasts
+                return mode
+        return None
 
     def _resting(self) -> list[int]:
         """The constraints that could hold: closed, and not opening."""
