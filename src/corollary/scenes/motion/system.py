@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from operator import mul
 
 import numpy as np
 from numpy.typing import NDArray
@@ -186,22 +187,16 @@ class System:
         """The slip velocity (m/s) of a rub, by components."""
         rub, u = self.rubs[i], self.velocity(y)
         return [
-            sum(a * b for a, b in zip(row, u, strict=True)) - driven
-            for row, driven in zip(rub.rows(time, y), rub.driven, strict=True)
+            sum(map(mul, row, u)) - driven for row, driven in zip(rub.rows(time, y), rub.driven, strict=True)
         ]
 
     def rate(self, time: float, y: State, constraint: Constraint) -> float:
         """How fast a gap grows (m/s)."""
         row = constraint.row(time, y)
-        return sum(a * b for a, b in zip(row, self.velocity(y), strict=True)) + constraint.driven(time)
+        return sum(map(mul, row, self.velocity(y))) + constraint.driven(time)
 
-    def _rubbed_only(self, time: float, y: State, mode: Mode, gained: list[float]) -> bool:
-        """Add to the accelerations what only slips, under a known normal force; false where more than that holds."""
-        if any(s == "on" for s in mode.held) or any(
-            s == "stick" or (isinstance(s, tuple) and self.rubs[i].normal is None)
-            for i, s in enumerate(mode.rubbed)
-        ):
-            return False
+    def _braked(self, time: float, y: State, mode: Mode, gained: list[float]) -> None:
+        """Add to the accelerations what the slips of a mode take, all under a known normal force."""
         inverse = self.inverse(time) if self.changing else self.steady
         for i, status in enumerate(mode.rubbed):
             rub = self.rubs[i]
@@ -213,17 +208,16 @@ class System:
                     for j, x in enumerate(row):
                         if x:
                             gained[j] -= brake * part * x * inverse[j]
-        return True
 
     def _held_by_one(self, time: float, y: State, constraint: Constraint, gained: list[float]) -> bool:
         """Add to the accelerations what a single constraint takes; false where it holds nothing that moves."""
         inverse = self.inverse(time).tolist() if self.changing else self.steady
         row = constraint.row(time, y)
-        moved = [x * w for x, w in zip(row, inverse, strict=True)]
-        resists = sum(x * m for x, m in zip(row, moved, strict=True))
+        moved = list(map(mul, row, inverse))
+        resists = sum(map(mul, row, moved))
         if not resists > 0.0:
             return False
-        bias = sum(x * a for x, a in zip(row, gained, strict=True)) + constraint.drift(time, y)
+        bias = sum(map(mul, row, gained)) + constraint.drift(time, y)
         z = bias / resists
         for j, m in enumerate(moved):
             gained[j] -= z * m
@@ -266,10 +260,12 @@ class System:
 
     def slope(self, mode: Mode, since: State, begun: float) -> Slope:
         """The rate of change of the state in a mode, at a time counted from `begun`."""
-        rubs = any(s != "off" for s in mode.rubbed)
-        free = all(s == "off" for s in mode.held) and not rubs
         on = [c for c, s in zip(self.constraints, mode.held, strict=True) if s == "on"]
-        single = on[0] if len(on) == 1 and not rubs else None
+        # Nothing sticks, and what slips is pressed by a known force: what it takes is known before anything holds.
+        brakes = all(
+            s == "off" or (s != "stick" and rub.normal is not None)
+            for rub, s in zip(self.rubs, mode.rubbed, strict=True)
+        )
 
         def rates(time: float, state: Array) -> list[float]:
             self.evaluations += 1
@@ -289,10 +285,11 @@ class System:
 
         def accelerations(time: float, y: list[float]) -> list[float]:
             gained = self.gains(time, y, since, mode.touching)
-            if free or self._rubbed_only(time, y, mode, gained):
-                return gained
-            if single is not None and self._held_by_one(time, y, single, gained):
-                return gained
+            if brakes and len(on) <= 1:
+                self._braked(time, y, mode, gained)
+                if not on or self._held_by_one(time, y, on[0], gained):
+                    return gained
+                gained = self.gains(time, y, since, mode.touching)
             items = self.items(time, y, gained, mode)
             found = answer(items, [item.may[0] for item in items], self.inverse(time), fair=False)
             return (np.asarray(gained) + self.inverse(time) * found.total).tolist()
