@@ -11,21 +11,39 @@ from corollary.scenes.motion.multipliers import Item, Status, answer
 from corollary.scenes.motion.reversal import accelerations
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Mode, System
+from corollary.scenes.run import GuardFailed
+
+MOST_HITS = 3_000
+"""So many hits at one moment are followed: in turn they bring bodies to rest against each other, or let them go."""
 
 
 def settle_hits(system: System, time: float, y: list[float], near: Sequence[int], slow: float) -> int:
     """Change the velocities in a state where what is `near` is hit, faster than is `slow` (m/s); how many hits there are.
 
-    Raises GuardFailed where no impulses of rigid bodies are consistent.
+    What a hit drives against something that was opening is hit there next, and so on: two strings that jerk in turn, ever sooner, end
+    by holding their three bodies together. Raises GuardFailed where no impulses of rigid bodies are consistent, or hits do not end.
     """
+    hits = _hit(system, time, y, near, slow)
+    # What is left of hits in turn stays: it is to be no more than rounding is.
+    while hits and (more := _hit(system, time, y, near, 1e-2 * slow)):
+        hits += more
+        if hits > MOST_HITS:
+            raise GuardFailed(
+                f"at {time:.6g} s what holds bodies hits them in turn more than {MOST_HITS} times."
+            )
+    return hits
+
+
+def _hit(system: System, time: float, y: list[float], near: Sequence[int], slow: float) -> int:
+    """Settle what is hit at once; how much that is."""
     inverse, hits = system.inverse(time), 0
-    for group, _ in system.clusters(time, y, near, []):
-        rates = {i: system.rate(time, y, system.constraints[i]) for i in group}
+    rates = {i: system.rate(time, y, system.constraints[i]) for i in near}
+    pressed = [i for i in near if system.constraints[i].two_sided or rates[i] <= slow]
+    for group, _ in system.clusters(time, y, pressed, []):
         hit = [i for i in group if rates[i] < -slow and not system.constraints[i].two_sided]
         if not hit:
             continue
         hits += len(hit)
-        # What opens already is not pressed, but must not be driven in either.
         items: list[Item] = []
         for i in group:
             c, rate = system.constraints[i], rates[i]
