@@ -144,7 +144,8 @@ def table(seen: dict[str, list[Asked]]) -> str:
         "",
         "Seconds of the processor for `corollary scene NAME` with its conditions, warm, at the tolerance 1e-12; `python "
         "benchmarks/scene_times.py --write`.",
-        "Settings are a scene's own, drawn as for its calibration, and moved by up to 300 powers of ten.",
+        "Settings are a scene's own, drawn as for its calibration, and moved by up to 300 powers of ten. The slowest are the slowest of "
+        "these: rarer settings take longer.",
         "",
         "| scene | answered | refused | median answer | slowest answer | slowest refusal | over 1 s, with a bar | without |",
         "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |",

@@ -103,11 +103,14 @@ def play(
     or chaos, for a run more for each setting; without `conditions` they are left out. A `proven` run states bounds only, or is refused.
     Raises BadSetting when a setting is unknown or unphysical, GuardFailed when momentum or energy is not kept.
     """
+    from corollary.scenes import condition
     from corollary.scenes.catalogue import run
-    from corollary.scenes.condition import with_conditions
+    from corollary.scenes.progress import with_bar
 
-    found = run(scene, settings, tolerance, proven=proven)
-    return with_conditions(found, tolerance) if conditions else found
+    if conditions:
+        return condition.play(scene, settings, tolerance, proven=proven)
+    with with_bar(f"scene {scene}"):
+        return run(scene, settings, tolerance, proven=proven)
 
 
 def ensemble(scene: str, *, tolerance: float = 1e-9, **settings: Any) -> Ensemble:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import io
-import sys
-
 import pytest
 
-from corollary.cli.progress import countdown, pace, waiting
+from corollary.cli.progress import countdown, pace
 
 
 @pytest.mark.parametrize(
@@ -29,34 +26,4 @@ def test_nothing_is_shown_to_a_file(capsys: pytest.CaptureFixture[str]) -> None:
     with countdown("grading") as tell:
         for left in (2, 1, 0):
             tell("ada", left)
-    assert capsys.readouterr() == ("", "")
-
-
-class Terminal(io.StringIO):
-    def isatty(self) -> bool:
-        return True
-
-
-def test_a_long_wait_is_shown_on_a_terminal_and_how_far_it_has_got(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("TERM", "xterm")
-    screen = Terminal()
-    monkeypatch.setattr(sys, "stderr", screen)
-    with waiting("scene cradle", after=0.0) as tell:
-        tell(0.25)
-        tell(0.5)
-    assert "scene cradle" in screen.getvalue()
-    assert "0:00:0" in screen.getvalue()
-
-
-def test_a_short_wait_is_not_shown(monkeypatch: pytest.MonkeyPatch) -> None:
-    screen = Terminal()
-    monkeypatch.setattr(sys, "stderr", screen)
-    with waiting("scene cradle", after=3600.0) as tell:
-        tell(0.5)
-    assert screen.getvalue() == ""
-
-
-def test_a_wait_is_not_shown_to_a_file(capsys: pytest.CaptureFixture[str]) -> None:
-    with waiting("scene cradle", after=0.0) as tell:
-        tell(0.5)
     assert capsys.readouterr() == ("", "")

@@ -7,13 +7,11 @@ import time
 from collections import deque
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import contextmanager
-from threading import Event, Thread
 from typing import TypeVar
 
 from corollary.render.wording import spell
 
 T = TypeVar("T")
-PATIENCE, REDRAWN = 1.0, 0.1  # seconds until a wait is shown, and between two looks at how far it has got
 WINDOW = 40  # the last so many steps tell the pace
 
 
@@ -37,40 +35,6 @@ def countdown(what: str) -> Generator[Callable[[str, int], None]]:
     """A function that names what is done and says how many are left; the bar tells the rate and the time these will take."""
     with _drawn(what, None, 0) as progress:
         yield progress
-
-
-@contextmanager
-def waiting(what: str, after: float = PATIENCE) -> Generator[Callable[[float], None]]:
-    """A function that takes the share (0 to 1) that is done; a bar with it and the time spent is drawn once `after` seconds have passed."""
-    if not sys.stderr.isatty():
-        yield lambda share: None
-        return
-    shares: list[float] = []
-    over = Event()
-    drawing = Thread(target=_draw, args=(what, after, shares, over), daemon=True)
-    drawing.start()
-    try:
-        yield shares.append
-    finally:
-        over.set()
-        drawing.join()
-
-
-def _draw(what: str, after: float, shares: list[float], over: Event) -> None:
-    """Until it is over; rich is loaded only for what takes so long."""
-    if after > 0.0 and over.wait(after):
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
-    columns = TextColumn("{task.description}"), BarColumn(bar_width=20), TimeElapsedColumn()
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task(what, total=None)
-        while True:
-            if shares and shares[-1] > 0.0:  # until something is known of it, the bar moves to and fro
-                progress.update(task, total=1.0, completed=shares[-1])
-            if over.wait(REDRAWN):
-                return
 
 
 @contextmanager

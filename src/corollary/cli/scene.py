@@ -6,12 +6,9 @@ from typing import Any
 
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
 from corollary.cli.given import from_options
-from corollary.cli.progress import waiting
 from corollary.grading.from_json import finite
 from corollary.scenes.catalogue import SCENES, definition
-from corollary.scenes.catalogue import run as play
-from corollary.scenes.condition import with_conditions
-from corollary.scenes.progress import part, reported_to
+from corollary.scenes.condition import play
 from corollary.scenes.run import GuardFailed, Observed, components
 
 FORM = "name=number, such as q=1.5, or masses=0.1,0.2,0.1"
@@ -30,11 +27,7 @@ def run(
         return _explain(name, as_json)
     chosen = _chosen(settings)
     try:
-        with waiting(f"scene {name}") as listener, reported_to(listener):
-            with part(0.0, 0.5):
-                found = play(name, chosen, tolerance, proven=proven)
-            with part(0.5, 1.0):
-                found = with_conditions(found, tolerance)
+        found = play(name, chosen, tolerance, proven=proven)
     except GuardFailed as error:
         say(f"corollary: {error}")
         return FAILS

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from corollary.scenes.catalogue import SCENES, run
-from corollary.scenes.progress import part
+from corollary.scenes.progress import part, with_bar
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, components
 
 MOVED = 1e-7  # as a share of a setting: small, and still far above what rounding does to values
@@ -17,6 +17,15 @@ DEAR = 12_000
 APART = 0.618  # the golden ratio: its multiples leave parts of one that are all different
 ILL = 1e6  # from this condition on it is worth a warning
 DIGITS = 15.95  # of a double
+
+
+def play(name: str, settings: Mapping[str, object], tolerance: float = 1e-12, *, proven: bool = False) -> Run:
+    """A ready-made scene as `run` plays it, and its conditions; who waits for it at a terminal sees a bar. Raises as `run` does."""
+    with with_bar(f"scene {name}"):
+        with part(0.0, 0.5):
+            found = run(name, settings, tolerance, proven=proven)
+        with part(0.5, 1.0):
+            return with_conditions(found, tolerance)
 
 
 def with_conditions(found: Run, tolerance: float) -> Run:

@@ -89,8 +89,9 @@ def _refuse_misfit(scene: str, setting: Setting, settled: Settings) -> None:
             continue
         value, limit = one(settled, setting.name), one(settled, other)
         if value > limit or (value == limit and other == setting.below_that):
-            rule = f"{rule} {other} = {limit:g}{_unit(setting)}"
-            raise BadSetting(_broken(scene, setting, value, rule))
+            value_text, limit_text = _in_digits(value, limit)
+            rule = f"{rule} {other} = {limit_text}{_unit(setting)}"
+            raise BadSetting(_broken(scene, setting, value_text, rule))
 
 
 def _checked(scene: str, setting: Setting, value: Any) -> Observed:
@@ -116,26 +117,32 @@ def _number(scene: str, setting: Setting, value: object) -> float:
     if not math.isfinite(number):
         raise BadSetting(f"{scene}: {setting.name} = {number} is not finite.")
     if setting.whole and number != round(number):
-        raise BadSetting(_broken(scene, setting, number, "a whole number"))
-    if setting.above < number < setting.below and setting.least <= number <= setting.most:
-        return number
-    broken = {
-        f"more than {setting.above:g}": number <= setting.above,
-        f"at least {setting.least:g}": number < setting.least,
-        f"less than {setting.below:g}": number >= setting.below,
-        f"at most {setting.most:g}": number > setting.most,
-    }
-    rule = max(broken, key=broken.__getitem__)
-    raise BadSetting(_broken(scene, setting, number, f"{rule}{_unit(setting)}"))
+        raise BadSetting(_broken(scene, setting, f"{number:g}", "a whole number"))
+    for holds, rule, limit in (
+        (number > setting.above, "more than", setting.above),
+        (number >= setting.least, "at least", setting.least),
+        (number < setting.below, "less than", setting.below),
+        (number <= setting.most, "at most", setting.most),
+    ):
+        if not holds:
+            number_text, limit_text = _in_digits(number, limit)
+            raise BadSetting(_broken(scene, setting, number_text, f"{rule} {limit_text}{_unit(setting)}"))
+    return number
+
+
+def _in_digits(number: float, limit: float) -> tuple[str, str]:
+    """Both as text, with the digits that it takes to tell them apart; all of them where they are the same."""
+    texts = [(f"{number:.{digits}g}", f"{limit:.{digits}g}") for digits in range(6, 18)]
+    return next((a, b) for a, b in texts if a != b or (float(a), float(b)) == (number, limit))
 
 
 def _unit(setting: Setting) -> str:
     return "" if setting.unit == "1" else f" {setting.unit}"
 
 
-def _broken(scene: str, setting: Setting, number: float, rule: str) -> str:
+def _broken(scene: str, setting: Setting, number: str, rule: str) -> str:
     """`kick: m = 0 kg must be more than 0 kg (mass of the body).`"""
-    return f"{scene}: {setting.name} = {number:g}{_unit(setting)} must be {rule} ({setting.meaning})."
+    return f"{scene}: {setting.name} = {number}{_unit(setting)} must be {rule} ({setting.meaning})."
 
 
 def one(settings: Settings, name: str) -> float:

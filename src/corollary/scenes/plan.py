@@ -23,6 +23,7 @@ from corollary.scenes.motion.energy import (
     refuse_rest,
     rounding_of_energy,
 )
+from corollary.scenes.progress import with_bar
 from corollary.scenes.refused import OWN_FAILS
 from corollary.scenes.run import (
     DEARER,
@@ -165,9 +166,10 @@ def _together(runs: Sequence[Run], names: Sequence[str]) -> Run:
 def play(
     scene: Scene, observe: Collection[Observable], tolerance: float = 1e-10, times: Sequence[float] = ()
 ) -> Run:
-    """Play a scene with the least model that answers. Raises BadSetting and GuardFailed as the models do."""
+    """Play a scene with the least model that answers; a bar is shown to who waits at a terminal. Raises BadSetting and GuardFailed as the models do."""
     begin = time.perf_counter()
-    found = plan(scene, observe, tolerance, times).play()
+    with with_bar(f"scene {scene.name}"):
+        found = plan(scene, observe, tolerance, times).play()
     return replace(found, scene=scene.name, seconds=time.perf_counter() - begin)
 
 

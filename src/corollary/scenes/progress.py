@@ -1,16 +1,20 @@
-"""How far a scene has got, told while it is played to whoever listens.
+"""How far a scene has got, told while it is played to whoever listens; who waits at a terminal sees a bar.
 
 What is played has many rooms below the command that waits for it; a listener is set for all of them at once.
 """
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from threading import Event, Thread
 
 Listener = Callable[[float], None]
 """Takes the share (0 to 1) that is done; it never falls."""
+
+PATIENCE, REDRAWN = 1.0, 0.1  # seconds until a wait is shown, and between two looks at how far it has got
 
 _listener: ContextVar[Listener | None] = ContextVar("listener", default=None)
 
@@ -43,3 +47,38 @@ def tell(share: float) -> None:
     listener = _listener.get()
     if listener is not None:
         listener(share)
+
+
+@contextmanager
+def with_bar(what: str, after: float = PATIENCE) -> Generator[None]:
+    """Whoever waits at a terminal sees a bar on it once `after` seconds have passed; not if somebody listens already."""
+    if _listener.get() is not None or sys.stderr is None or not sys.stderr.isatty():
+        yield
+        return
+    shares: list[float] = []
+    over = Event()
+    drawing = Thread(target=_draw, args=(what, after, shares, over), daemon=True)
+    drawing.start()
+    try:
+        with reported_to(shares.append):
+            yield
+    finally:
+        over.set()
+        drawing.join()
+
+
+def _draw(what: str, after: float, shares: list[float], over: Event) -> None:
+    """Until it is over; rich is loaded only for what takes so long."""
+    if after > 0.0 and over.wait(after):
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = TextColumn("{task.description}"), BarColumn(bar_width=20), TimeElapsedColumn()
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task(what, total=None)
+        while True:
+            if shares and shares[-1] > 0.0:  # until something is known of it, the bar moves to and fro
+                progress.update(task, total=1.0, completed=shares[-1])
+            if over.wait(REDRAWN):
+                return

@@ -6,6 +6,7 @@ from itertools import pairwise
 import pytest
 
 from corollary.scenes.catalogue import run
+from corollary.scenes.library import ballistic_pendulum
 from corollary.scenes.run import BadSetting
 
 AT_ONCE = (2.45 / 1.01) ** 2 / 19.6
@@ -47,3 +48,10 @@ def test_angle_and_height_belong_together_even_on_a_very_long_rope():
 def test_what_is_no_ballistic_pendulum_is_refused(settings, says):
     with pytest.raises(BadSetting, match=says):
         run("ballistic_pendulum", settings)
+
+
+def test_a_block_that_would_swing_for_ever_under_the_bullet_is_refused_before_a_step(monkeypatch):
+    monkeypatch.setattr(ballistic_pendulum, "DOP853", None)
+    for mb in (1e-17, 1e-300):
+        with pytest.raises(BadSetting, match="so light"):
+            run("ballistic_pendulum", {"mA": 1e3, "mB": mb, "v": 1.0, "dt": 1e-2})

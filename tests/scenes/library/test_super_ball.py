@@ -5,6 +5,7 @@ import math
 import pytest
 
 from corollary.scenes.catalogue import run
+from corollary.scenes.library import super_ball
 from corollary.scenes.run import BadSetting, GuardFailed, components
 
 HARD = {"q": 1.0, "k": 1e9}
@@ -113,3 +114,18 @@ def test_a_lower_ball_that_falls_back_before_all_is_over_is_refused(edge):
     """Without weight it is left with hardly a velocity, with weight it is back on the floor at once: one touch more, or one less."""
     with pytest.raises(GuardFailed, match="falls back to the floor"):
         run("super_ball", edge | {"q": 1.0, "weighed": 1})
+
+
+@pytest.mark.parametrize(("gap", "mb"), [(535.0, 0.06), (100.0, 0.06), (4631.0, 5e-4), (9.1, 1e-9)])
+def test_an_upper_ball_that_comes_long_after_the_lower_one_is_back_is_refused_before_a_step(
+    gap, mb, monkeypatch
+):
+    monkeypatch.setattr(super_ball, "measured", None)
+    for weighed in (0, 1):
+        with pytest.raises(GuardFailed, match="smaller"):
+            run("super_ball", {"gap": gap, "mB": mb, "weighed": weighed})
+
+
+def test_where_places_do_not_show_the_contacts_weight_is_left_out_however_large_the_gap():
+    """It is most of the error then."""
+    assert run("super_ball", {"gap": 1e4, "k": 1e22}).error > 1.0

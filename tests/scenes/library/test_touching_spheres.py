@@ -134,3 +134,37 @@ def test_spheres_that_begin_to_squeeze_are_as_far_off_as_is_said():
             strict=True,
         ):
             assert abs(value - true) <= error
+
+
+@pytest.mark.parametrize("g", [0.0, 9.8])
+def test_long_after_they_have_parted_they_fall_in_a_few_steps(g):
+    short, long = (run("touching_spheres", {"g": g, "t": t}) for t in (0.02, 2e4))
+    assert long.evaluations < 4 * short.evaluations
+    assert long.observed["largest_overlap"] == short.observed["largest_overlap"]
+    for i, (early, late) in enumerate(
+        zip(short.observed["velocities"], long.observed["velocities"], strict=True)
+    ):
+        fallen = g * (2e4 - 0.02) * (i % 2)
+        assert late == pytest.approx(early - fallen, abs=long.errors["velocities"][i])
+
+
+@pytest.mark.parametrize("far", [1e2, 3e3])
+def test_spheres_that_come_from_afar_meet_however_long_they_are_watched(far):
+    there = {"dx": far, "dy": 0.02, "vA": (5.0, 0.0), "vB": (-5.0, 0.0), "g": 1e-3, "q": 1.5, "k": 1e5}
+    found = run("touching_spheres", there | {"t": 10.0 * far})
+    known = run(
+        "spheres",
+        {name: x for name, x in (there | {"eta": 0.0}).items() if name != "g"}
+        | {"R": 0.05, "mA": 0.2, "mB": 0.3},
+    )
+    assert found.observed["largest_overlap"] == pytest.approx(
+        known.observed["largest_overlap"], abs=found.errors["largest_overlap"]
+    )
+
+
+def test_spheres_too_soft_for_what_comes_from_afar_are_refused_where_they_meet():
+    with pytest.raises(BadSetting, match="so soft"):
+        run(
+            "touching_spheres",
+            {"dx": 1e3, "dy": 0.0, "vA": (5.0, 0.0), "vB": (0.0, 0.0), "k": 1e-3, "t": 1e6},
+        )

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from corollary.scenes.catalogue import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.modal import collide
 from corollary.scenes.row import RowOfBodies, conserved
@@ -115,3 +116,9 @@ def test_momentum_energy_and_order_are_kept(line):
         conserved(line, none, line.velocities)[0], rel=1e-9, abs=1e-12
     )
     assert all(a <= b + 1e-9 for a, b in zip(found.velocities, found.velocities[1:], strict=False))
+
+
+@pytest.mark.parametrize("light", [1e-57, 1e-30])
+def test_masses_so_unequal_that_one_is_lost_beside_the_other_are_refused_in_words(light):
+    with pytest.raises(GuardFailed, match="nothing is left of the others"):
+        run("cradle", {"N": 3, "masses": (0.1, light, 0.1)})

@@ -15,7 +15,7 @@ from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.motion.own_forces import LOOKS
 from corollary.scenes.plan import play
-from corollary.scenes.run import Observable, Run, components
+from corollary.scenes.run import GuardFailed, Observable, Run, components
 from corollary.scenes.scene import Body, Force, Scene
 
 WHEN, IMPULSE = 5.0, 2.0
@@ -136,3 +136,18 @@ def test_a_law_of_somebody_elses_is_searched_and_those_of_the_package_are_not():
     assert not Weight().may_be_brief
     assert not HardWall((1.0,)).may_be_brief
     assert_true(played(Kick()), "velocities", IMPULSE)
+
+
+def rubbed(push):
+    """A block that is thrown and brought to rest by a force of somebody's own."""
+    return Scene((Body(1.0, (0.0,), (1e-3,)),), (ForceFunction(0, push),), until=1.0)
+
+
+def test_a_force_that_jumps_with_the_velocity_is_refused_as_what_it_is():
+    with pytest.raises(GuardFailed, match="jumps there with the velocity"):
+        play(rubbed(lambda t, x, v: (-0.5 * math.copysign(1.0, v[0]),)), {Observable.VELOCITIES})
+
+
+def test_one_that_is_out_of_reach_for_being_fast_is_not_said_to_jump():
+    with pytest.raises(GuardFailed, match="soften what is stiff"):
+        play(rubbed(lambda t, x, v: (-1e16 * x[0],)), {Observable.VELOCITIES})

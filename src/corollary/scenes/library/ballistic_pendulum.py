@@ -8,12 +8,13 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.integrate import solve_ivp
+from scipy.integrate import DOP853
 
 from corollary.scenes.collision import SAFE
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.falls_and_swings import swung
 from corollary.scenes.forces.spring import catching
+from corollary.scenes.progress import part, tell
 from corollary.scenes.run import (
     ROUNDING,
     BadSetting,
@@ -36,6 +37,8 @@ SETTINGS = (
 LEAST_RELATIVE = 2.3e-14
 # Those that a fading motion remembers, by benchmarks/calibration.py.
 LAST_STEPS = 2.0
+# So far (rad) a light block may swing under a heavy bullet while it brakes it: some twenty evaluations each, twenty minutes in all.
+MOST_SWUNG = 1e7
 BRAKED = "a block that swings while a dashpot brakes the bullet in it: step by step"
 
 
@@ -57,8 +60,16 @@ def play(settings: Settings, tolerance: float, *, in_steps: bool = False) -> Run
         raise BadSetting(
             f"ballistic_pendulum: in dt = {dt:g} s the block swings up before the bullet is stuck; shorten dt."
         )
+    if dt * math.sqrt(g / length * (1.0 + bullet / block)) > MOST_SWUNG:
+        raise BadSetting(
+            "ballistic_pendulum: the block is so light that it swings to and fro under the bullet's weight for as long as it brakes it; "
+            "raise mB, or shorten dt."
+        )
     allowed = two_runs(tolerance, least=(1e-13, 1e-14))
-    rough, finer = (_held_fast(settings, each) for each in allowed)
+    with part(0.0, 0.4):
+        rough = _held_fast(settings, allowed[0])
+    with part(0.4, 1.0):
+        finer = _held_fast(settings, allowed[1])
     (way, speed, spent), angle = finer, finer[0] / length
     risen = 2.0 * length * math.sin(0.5 * angle) ** 2
     hot = 0.5 * both * speed**2 + both * g * risen
@@ -123,15 +134,24 @@ def _held_fast(settings: Settings, tolerance: float) -> tuple[float, float, int]
     common = bullet / both * v
     scale = [tolerance * size for size in (common * dt, v * dt, common, v)]
     start = [0.0, 0.0, 0.0, v]
-    solved = solve_ivp(
-        slope, (0.0, dt), start, "DOP853", rtol=LEAST_RELATIVE, atol=np.array(scale), first_step=1e-3 * dt
+    solver = DOP853(
+        slope,
+        0.0,
+        start,
+        dt,
+        rtol=LEAST_RELATIVE,
+        atol=np.array(scale),  # pyright: ignore[reportArgumentType]
+        first_step=1e-3 * dt,
     )
-    if not solved.success:
+    while solver.status == "running":
+        solver.step()
+        tell(solver.t / dt)
+    if solver.status == "failed":
         raise GuardFailed(
             "ballistic_pendulum: the bullet was not followed to its stop. Choose milder settings."
         )
-    way, _, speed, left = solved.y[:, -1].tolist()
-    return way, speed + bullet / both * math.cos(way / length) * left, int(solved.nfev)
+    way, _, speed, left = solver.y.tolist()
+    return way, speed + bullet / both * math.cos(way / length) * left, int(solver.nfev)
 
 
 SCENE = SceneDefinition("a bullet gets stuck in a hanging block", SETTINGS, play)

@@ -84,7 +84,12 @@ def normal_modes(line: RowOfBodies, touching: Flags, overlaps: Array, rates: Arr
     """
     inverse = np.array([1.0 / m for m in line.masses])
     coupling = np.diag(inverse[:-1] + inverse[1:]) - np.diag(inverse[1:-1], 1) - np.diag(inverse[1:-1], -1)
-    lower = np.linalg.cholesky(coupling)
+    try:
+        lower = np.linalg.cholesky(coupling)
+    except np.linalg.LinAlgError:
+        raise GuardFailed(
+            "Beside the lightest one nothing is left of the others. Make the masses less unequal."
+        ) from None
     springs = np.array([c.k for c in line.contacts]) * touching
     squares, modes = np.linalg.eigh(lower.T @ (springs[:, None] * lower))
     squares[: int(np.sum(~touching))] = 0.0

@@ -156,7 +156,7 @@ class Follower:
                 path.time = self.scene.until if self.scene.until is not None else path.time
                 return mode
             over = self.scene.until is None and self._over()
-            if over or self.steps.too_slow(self._left(), stretch.lasts):
+            if over or self.steps.too_slow(self._left(), stretch):
                 return mode
             if self._drifted(mode):
                 now = Moment(system, path.time, list(path.state), self.sizes, mode)

@@ -11,6 +11,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.integrate import DOP853, Radau
 
+from corollary.scenes.forces.weight import Weight
 from corollary.scenes.motion.guards import Guards
 from corollary.scenes.motion.isolation import (
     POINTS,
@@ -20,7 +21,7 @@ from corollary.scenes.motion.isolation import (
     first_fall,
     root_of,
 )
-from corollary.scenes.motion.own_forces import refuse_failing
+from corollary.scenes.motion.own_forces import refuse_failing, remedy
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Mode, Slope, System
@@ -57,6 +58,10 @@ class Stepper:
         self.begin_anew()
         self.nearest, self.tied = (math.inf, 0.0), False
         self.longest = 100.0 * sizes.long / sizes.fast if system.contacts else math.inf
+        self.falls = all(
+            isinstance(force, Weight) for force in self.scene.forces if force not in self.scene.contacts
+        )
+        """Whether bodies that nothing touches fly along parabolas, which steps of any length follow exactly."""
         self.at_most = math.inf
         """How long (s) the next phase's first step may be."""
 
@@ -68,8 +73,8 @@ class Stepper:
         self.lately.clear()
 
     def solver(self, slope: Slope, y: list[float], lasts: float, first: float, mode: Mode) -> DOP853 | Radau:
-        """scipy's stepper from a state on, for at most so long (s), with a first step; of any length where all fly freely."""
-        free = self.scene.until is None and not any(mode.touching)  # there are no forces but contacts
+        """scipy's stepper from a state on, for at most so long (s), with a first step; of any length where all fly freely, or fall."""
+        free = self.falls and not any(mode.touching)
         count, spins = self.system.count, len(y) - 2 * self.system.count
         radius = max((b.radius for b in self.scene.bodies), default=0.0) or self.sizes.long
         # Not less than rounding makes of a place.
@@ -117,7 +122,7 @@ class Stepper:
         if self.steps > self.most or self.hurried > MOST_HURRIED:
             raise GuardFailed(
                 f"{self.scene.name}: the end was not reached within {self.steps - 1} steps, only {begun + solver.t:.6g} s. "
-                "Watch for a shorter time, or soften what is stiff."
+                + remedy(self.scene, begun + solver.t, solver.y.tolist(), self.sizes.fast)
             )
         try:
             solver.step()
@@ -148,13 +153,13 @@ class Stepper:
             solver.max_step = min(self.longest, edge)
             self.rate *= 0.9
 
-    def too_slow(self, left: float, last: float) -> bool:
-        """Whether to begin anew with another method, with so much time (s) left after a step that lasted `last` (s).
+    def too_slow(self, left: float, stretch: Stretch) -> bool:
+        """Whether to begin anew with another method, with so much time (s) left after a step.
 
         What fades fast and then only follows slowly is stiff: an implicit method takes over, until something happens. Raises
         GuardFailed when steps as short as the last ones, one after the other without anything happening, lead nowhere.
         """
-        if self.held_down >= STIFF_STEPS and not self.stiff and left > FEW_LEFT * last:
+        if self.held_down >= STIFF_STEPS and not self.stiff and left > FEW_LEFT * stretch.lasts:
             self.stiff, self.steady, self.held_down = True, 0, 0
             return True
         self.implicit += self.stiff
@@ -165,7 +170,7 @@ class Stepper:
         if self.steady < STEADY or math.isinf(left):
             return False
         # Where a comet passes its star steps are short for a while.
-        last = max(last, sum(self.lately) / len(self.lately))
+        last = max(stretch.lasts, sum(self.lately) / len(self.lately))
         if left < self.left * last:
             return False
         done = (self.scene.until or 0.0) - left
@@ -173,7 +178,7 @@ class Stepper:
             return False
         raise GuardFailed(
             f"{self.scene.name}: with steps of {last:.2g} s the end, {left:.3g} s ahead, is out of reach. "
-            "Watch for a shorter time, or let what swings or fades fastest do so more slowly (soften what is stiff)."
+            + remedy(self.scene, done, stretch.after, self.sizes.fast)
         )
 
     @property
