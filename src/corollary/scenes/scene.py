@@ -169,11 +169,15 @@ class ContactForce(Force, ABC):
 
     @abstractmethod
     def between(self, scene: Scene, state: State, a: int, b: int) -> list[float]:
-        """The force (N) on b of its touch with a; a feels the opposite. Zero while they are apart."""
+        """The force (N) on b of its touch with a; a feels the opposite.
+
+        Asked only while they touch; trial steps may reach a little out of it, where the force is to go on without a jump.
+        """
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         for a, b in self.serves(scene):
-            yield from opposite(a, b, self.between(scene, state, a, b))
+            if overlap(scene, state, a, b)[0] > 0.0:
+                yield from opposite(a, b, self.between(scene, state, a, b))
 
 
 @dataclass(frozen=True, slots=True)

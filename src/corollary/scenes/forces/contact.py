@@ -62,10 +62,8 @@ class Contact(ContactForce):
     def between(self, scene: Scene, state: State, a: int, b: int) -> list[float]:
         """The push along the line of centres, the drag along the relative velocity, or along that line, too, where surfaces rub."""
         depth, growing = overlap(scene, state, a, b)
-        if depth <= 0.0:
-            return [0.0] * scene.axes
         apart, relative = seen_from(scene, state, a, b)
-        distance, spring = math.hypot(*apart), push(self, depth)
+        distance, spring = math.hypot(*apart), push(self, max(depth, 0.0))
         if self.rubs_surfaces:
             return [(spring + self.eta * growing) * x / distance for x in apart]
         return [spring * x / distance - self.eta * v for x, v in zip(apart, relative, strict=True)]

@@ -23,6 +23,8 @@ Value = Callable[[float, State], float]
 Kind = Literal["touch", "overlap", "soft", "hit", "event", "release", "break", "stop"]
 # What friction holds to within this share of all it can is at its limit.
 EXHAUSTED = 1e-6
+# By such a part of what errors decide a parting is seen late: an overlap that fades away ends by errors alone.
+SEEN_LATE = 0.1
 # Such a part of a force decides nothing; and such a part of others that are found together with it.
 TRIFLE, ROUNDED = 1e-9, 1e-13
 
@@ -95,17 +97,17 @@ class Guards:
         """All guards in a state, in the order of `names`."""
         return [value(time, y) for value in self.places] + self._forces(time, y)
 
-    def nearest(self, values: Array) -> tuple[float, float]:
+    def nearest(self, values: Array, states: Sequence[State]) -> tuple[float, float]:
         """How little (m) bodies that may hit or touch, sampled over a step, miss each other by, or reach into each other in passing; and
         after which part of it.
 
         Only turning points within the step count: a gap that has just opened, or is about to close, does not graze; nor does one
-        between bodies that touch, which rounding alone bends.
+        between bodies that touch, which rounding alone bends, or that all but rest in each other.
         """
         chosen = [i for i, guard in enumerate(self.names) if guard.kind in ("hit", "touch")]
         least = math.inf, 0.0
-        for gaps in values[chosen]:
-            if gaps.min() > 0.1 * np.ptp(gaps):
+        for i, gaps in zip(chosen, values[chosen], strict=True):
+            if gaps.min() > 0.1 * np.ptp(gaps) or self.together(self.names[i], states):
                 continue
             for part, value in minima(gaps):
                 # What has just been let go opens with no speed: that is no touch.
@@ -113,6 +115,16 @@ class Guards:
                 if gaps[0] - value > 4.0 * self.sizes.blur or (apart and gaps[-1] > value):
                     least = min(least, (abs(value), part))
         return least
+
+    def together(self, guard: Guard, states: Sequence[State]) -> bool:
+        """Whether two bodies touch, but for errors, and are as fast as each other through a step: they go on so, whether they part or not."""
+        if guard.kind != "touch":
+            return False
+        (_, a, b), scene, sizes = self.system.contacts[guard.number], self.system.scene, self.sizes
+        reach, slow = scene.bodies[a].radius + scene.bodies[b].radius, sizes.doubt / sizes.place * sizes.fast
+        seen = [seen_from(scene, y, a, b) for y in states]
+        near = self.mode.touching[guard.number] or all(abs(inside(x, reach)) < sizes.doubt for x, _ in seen)
+        return near and all(math.hypot(*v) < slow for _, v in seen)
 
     def tied(self, values: Array) -> bool:
         """Whether what sticks is pulled at by all but what it can hold within a sampled step, and then by less; or by hardly more."""
@@ -166,12 +178,15 @@ class Guards:
         return found
 
     def _pair(self, kind: Kind, number: int, a: int, b: int, sign: float, reach: float) -> None:
-        blur = self.sizes.blur + (0.0 if self._begins_at(a, b, reach) else self.sizes.shift)
+        """What touches parts where its overlap is over, and is seen to beyond what some steps may be off; no run lets it part sooner."""
+        shift = 0.0 if sign > 0.0 or self._begins_at(a, b, reach) else max(self.sizes.shift, 0.0)
+        late = max(SEEN_LATE * self.sizes.doubt - self.sizes.blur, 0.0) if sign > 0.0 else 0.0
+        blur = self.sizes.blur + shift + late
 
         def value(time: float, y: State) -> float:
             return sign * inside(seen_from(self.system.scene, y, a, b)[0], reach) + blur
 
-        self._add(Guard(kind, number, f"bodies {a} and {b}"), value)
+        self._add(Guard(kind, number, f"bodies {a} and {b}", late), value)
 
     def _begins_at(self, a: int, b: int, reach: float) -> bool:
         """Whether two bodies start as near to a touch as touches are shifted: they are there, and cannot come later."""

@@ -19,11 +19,13 @@ from corollary.scenes.motion.path import Stretch, Trajectory
 from corollary.scenes.motion.turns import fastest, flat, turns
 from corollary.scenes.run import BadSetting, Observable, Observed, Outcome
 from corollary.scenes.scene import (
+    Conserves,
     ContactForce,
     Scene,
     overlap,
     pairs,
     place,
+    seen_from,
     spin,
     start_of,
     velocity,
@@ -39,7 +41,7 @@ COARSE = 1e-3
 
 def outcome(scene: Scene, path: Trajectory) -> Outcome:
     """How it ended."""
-    if path.settled or _at_rest(scene, path):
+    if path.settled or _at_rest(scene, path) or _stuck(scene, path):
         return "sticks"
     if scene.until is not None:
         return "escaped" if _beyond_every_edge(scene, path.state) else "bound"
@@ -56,6 +58,22 @@ def _at_rest(scene: Scene, path: Trajectory) -> bool:
     moved = max((abs(v) for stretch in path.stretches for v in stretch.before[count:]), default=0.0)
     slow = max(1e-9 * moved, 1e-12 * path.fast)
     return held and bool(loose) and all(math.hypot(*velocity(scene, path.state, i)) <= slow for i in loose)
+
+
+def _stuck(scene: Scene, path: Trajectory) -> bool:
+    """Whether damped contacts have left everything that can move as fast as something it touches, through the last step."""
+    if not path.stretches or Conserves.ENERGY in scene.conserves:
+        return False
+    moving = [pair for force in scene.contacts for pair in force.serves(scene)]
+    moving = [(a, b) for a, b in moving if not nothing_moves(scene.bodies[a], scene.bodies[b])]
+    ends = path.stretches[-1].before, path.state
+    stuck = {
+        i
+        for (a, b), on in zip(moving, path.touching(), strict=True)
+        if on and all(math.hypot(*seen_from(scene, y, a, b)[1]) <= 1e-9 * path.fast for y in ends)
+        for i in (a, b)
+    }
+    return all(i in stuck or math.isinf(body.mass) for i, body in enumerate(scene.bodies))
 
 
 def _beyond_every_edge(scene: Scene, state: Sequence[float]) -> bool:

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_right
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -100,12 +100,16 @@ class Stretch:
 
 @dataclass(frozen=True, slots=True)
 class Happening:
-    """Something that changed the law: which, when, and how sure (s) its moment is."""
+    """Something that changed the law: which, when, and how sure (s) its moment is.
+
+    `together`: bodies that touched have parted, but for errors as fast as each other.
+    """
 
     what: str
     time: float
     stretch: int
     slack: float = 0.0
+    together: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,20 +181,29 @@ class Trajectory:
 
         The direction of a slip in a plane is looked at now and again, and a force may go by the side of a place or the sign of a speed:
         nothing happens there. Nor does anything come of what holds for no time, while bodies that are tied stop one after the other.
+        Bodies that part together still count as touching: errors decide when their overlap is used up.
         """
         modes = [*(stretch.mode for stretch in self.stretches), self.mode]
         found: list[object] = []
-        holds = _holding(modes[0]) if modes[0] else None
+        parted: dict[str, bool] = {}
+        holds = _holding(modes[0], parted) if modes[0] else None
         ends = [*(each.time for each in self.happenings[1:]), math.inf]
         for happening, end in zip(self.happenings, ends, strict=False):
+            parted[happening.what] = happening.together
             if happening.what.startswith("hit"):
                 found.append(happening.what)
             mode = modes[happening.stretch]
             lasts = end - happening.time > BRIEF * happening.time
-            if mode and lasts and (now := _holding(mode)) != holds:
+            if mode and lasts and (now := _holding(mode, parted)) != holds:
                 found.append(now)
                 holds = now
         return found
+
+    def touching(self) -> tuple[bool, ...]:
+        """Which pairs touch in the end, or have only parted together since they did."""
+        return (
+            _touching(self.mode, {each.what: each.together for each in self.happenings}) if self.mode else ()
+        )
 
     def at(self, time: float) -> list[float]:
         """The state at a time between the start and the end."""
@@ -204,7 +217,12 @@ class Trajectory:
         return stretch.again(part) if self.bends.get(low) else stretch.at(part)
 
 
-def _holding(mode: Mode) -> object:
+def _touching(mode: Mode, parted: Mapping[str, bool]) -> tuple[bool, ...]:
+    """Which pairs touch, or have only `parted` together."""
+    return tuple(on or parted.get(f"touch {j}", False) for j, on in enumerate(mode.touching))
+
+
+def _holding(mode: Mode, parted: Mapping[str, bool]) -> object:
     """What holds, sticks, slips or touches; of a slip in a plane not which way."""
     slips = tuple(s if isinstance(s, str) or len(s) == 1 else "slips" for s in mode.rubbed)
-    return mode.held, slips, mode.touching
+    return mode.held, slips, _touching(mode, parted)

@@ -191,13 +191,11 @@ class Stepper:
         if not guards.names:
             return None
         begin, lasts = stretch.begin, stretch.lasts
+        states = stretch.sampled()
         values = np.array(
-            [
-                guards.values(begin + x * lasts, y)
-                for x, y in zip(POINTS.tolist(), stretch.sampled(), strict=True)
-            ]
+            [guards.values(begin + x * lasts, y) for x, y in zip(POINTS.tolist(), states, strict=True)]
         ).T
-        self.nearest, self.tied = guards.nearest(values), guards.tied(values)
+        self.nearest, self.tied = guards.nearest(values, states), guards.tied(values)
         first: tuple[int, float] | None = None
         for i in np.flatnonzero(~certainly_positive(coefficients(values))).tolist():
             one = guards.one(i)
