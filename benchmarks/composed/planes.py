@@ -153,7 +153,7 @@ def over_the_top(draw: Random) -> Case:
 
 
 def cradle_with_gravity(draw: Random) -> Case:
-    """Two balls on rods beside each other, one let go: angles, and the contact between, in LSODA-free coordinates."""
+    """Two balls on rods beside each other, one let go: angles, and the contact between, from its first touch to its last."""
     length, r, k, m1, m2 = (
         draw.uniform(0.3, 1),
         0.03,
@@ -161,12 +161,17 @@ def cradle_with_gravity(draw: Random) -> Case:
         draw.uniform(0.1, 0.4),
         draw.uniform(0.1, 0.4),
     )
-    a, t = draw.uniform(0.1, 0.8), 0.0
-    t = 1.9 * math.sqrt(length / G)
+    a, t = draw.uniform(0.1, 0.8), 1.9 * math.sqrt(length / G)
+
+    def apart(p, q):
+        return 2 * r + length * (math.sin(q) - math.sin(p)), -length * (math.cos(q) - math.cos(p))
+
+    def gap(_, y):
+        return math.hypot(*apart(y[0], y[1])) - 2 * r
 
     def slope(_, y):
         p, q, u, v = y
-        dx, dy = 2 * r + length * (math.sin(q) - math.sin(p)), -length * (math.cos(q) - math.cos(p))
+        dx, dy = apart(p, q)
         d = math.hypot(dx, dy)
         push = k * max(2 * r - d, 0.0) ** 1.5
         on = push * dx / d, push * dy / d
@@ -177,9 +182,14 @@ def cradle_with_gravity(draw: Random) -> Case:
             -G / length * math.sin(q) + (on[0] * math.cos(q) + on[1] * math.sin(q)) / (m2 * length),
         ]
 
-    p, q, u, v = solve_ivp(
-        slope, (0, t), [-a, 0.0, 0.0, 0.0], method="DOP853", rtol=1e-13, atol=1e-14, max_step=2e-4
-    ).y[:, -1]
+    y, begun = [-a, 0.0, 0.0, 0.0], 0.0
+    gap.terminal = True
+    for gap.direction, longest in ((-1, math.inf), (1, 1e-4), (-1, math.inf)):
+        solved = solve_ivp(
+            slope, (begun, t), y, "DOP853", events=gap, rtol=1e-13, atol=1e-15, max_step=longest
+        )
+        y, begun = solved.y[:, -1], solved.t[-1]
+    p, q, u, v = y
     bodies = (
         Body(math.inf, (0.0, 0.0), (0.0, 0.0)),
         Body(math.inf, (2 * r, 0.0), (0.0, 0.0)),

@@ -2,7 +2,9 @@
 
 import math
 
+import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.function import ForceFunction
@@ -95,3 +97,49 @@ def test_friction_holds_only_what_a_wall_does_not(along):
     found = play(scene, {O.VELOCITIES})
     speed = 0.5 * (along - mu * 9.8) if along > static * 9.8 else 0.0
     assert found.observed["velocities"] == pytest.approx((speed, 0.0), rel=1e-6, abs=1e-12)
+
+
+@pytest.mark.parametrize("boost", [(0.0, 0.0), (0.9, -0.3), (-1.7, -0.467)])
+def test_a_puck_whose_slip_all_but_stops_and_goes_on_another_way(boost):
+    """Tied to another by a rod, it comes to rest on its belt for no time: what holds it is not enough."""
+    g, until, limit = 9.8, 1.07, 1e-9
+    m, mu = (0.7, 0.12), (0.1, 0.48)
+    places, start = np.array([[-0.46, 0.01], [0.01, -0.47]]), np.array([0.43, -2.0])
+    belts = np.array([[-0.5, 0.3], [0.14, -0.35]])
+    length = math.dist(*places)
+
+    def slope(_, y):
+        x, v = y.reshape(2, 2, 2)
+        along, apart = (x[1] - x[0]) / length, v[1] - v[0]
+        slips = v - belts
+        rubs = [-k * g * u / math.hypot(*u) for k, u in zip(mu, slips, strict=True)]
+        pull = (along @ (rubs[1] - rubs[0]) + apart @ apart / length) / (1.0 / m[0] + 1.0 / m[1])
+        return np.ravel([*v, rubs[0] + pull * along / m[0], rubs[1] - pull * along / m[1]])
+
+    def slow(_, y):
+        return math.hypot(*(y[6:] - belts[1])) - limit
+
+    slow.terminal, slow.direction = True, -1
+    exact = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-15}
+    before = solve_ivp(slope, (0.0, until), [*places.ravel(), *start, *start], events=slow, **exact)
+    y = before.y[:, -1].copy()
+    # At rest on its belt: the rod pulls it on, against static friction that is too weak.
+    y[6:] = belts[1]
+    x, v = y.reshape(2, 2, 2)
+    along, apart, slip = (x[0] - x[1]) / length, v[0] - v[1], v[0] - belts[0]
+    rub = -m[0] * mu[0] * g * slip / math.hypot(*slip)
+    pull = m[0] * (apart @ apart) / length + rub @ along
+    assert abs(pull) > 0.62 * m[1] * g
+    y[6:] += math.copysign(limit, pull) * along
+    truth = solve_ivp(slope, (before.t[-1], until), y, **exact).y[4:, -1]
+    pucks = tuple(
+        Body(mass, tuple(place), tuple(start + boost)) for mass, place in zip(m, places, strict=True)
+    )
+    tables = (Friction(i, mu[i], g, static, tuple(belts[i] + boost)) for i, static in enumerate((0.1, 0.62)))
+    scene = Scene(pucks, (Rod((0, 1)), *tables), until=until)
+    for tolerance in (1e-10, 1e-12):
+        found = play(scene, {O.VELOCITIES}, tolerance)
+        off = np.abs(np.array(found.observed["velocities"]) - np.tile(boost, 2) - truth)
+        assert (off <= found.errors["velocities"]).all()
+        assert max(found.errors["velocities"]) < 1e-6
+        assert found.warnings == ()

@@ -14,6 +14,7 @@ from corollary.scenes.motion.guards import Guard, Guards
 from corollary.scenes.motion.modes import Moment
 from corollary.scenes.motion.own_forces import overlooked
 from corollary.scenes.motion.path import Happening, Stretch, Trajectory
+from corollary.scenes.motion.reversal import turned
 from corollary.scenes.motion.sizes import sizes_of
 from corollary.scenes.motion.steps import Stepper
 from corollary.scenes.motion.system import Mode, Slope, System
@@ -95,6 +96,7 @@ class Follower:
             raise GuardFailed(f"{self.scene.name}: {error}") from None
         path.state = moment.y
         path.calmed = (path.time, moment.calmed) if moment.calmed else path.calmed
+        path.astray = max(path.astray, turned(moment.before, mode))
         for what in moment.doubts:
             path.doubt(what, path.time)
         if moment.dropped:
@@ -185,10 +187,8 @@ class Follower:
                 pieces = self.steps.pieces(stretch, slope, lasts)
         for piece in pieces:
             self._add(piece)
-        speed = self.steps.falling(one, stretch, part)
-        slack = (
-            (self.tolerance * self.sizes.place + 4.0 * math.ulp(self.sizes.long)) / speed if speed else 0.0
-        )
+        speed, near = self.steps.falling(one, stretch, part), self.tolerance * self.sizes.place
+        slack = (near + 4.0 * math.ulp(self.sizes.long)) / speed if speed else 0.0
         self.steps.begin_anew()
         if guard.kind == "hit":  # a wall's speed is known as well as the time is
             driven, now = self.system.constraints[guard.number].driven, self.path.time

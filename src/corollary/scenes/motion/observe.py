@@ -73,7 +73,8 @@ def _stuck(scene: Scene, path: Trajectory) -> bool:
         if on and all(math.hypot(*seen_from(scene, y, a, b)[1]) <= 1e-9 * path.fast for y in ends)
         for i in (a, b)
     }
-    return all(i in stuck or math.isinf(body.mass) for i, body in enumerate(scene.bodies))
+    loose = {i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)}
+    return bool(loose) and loose <= stuck
 
 
 def _beyond_every_edge(scene: Scene, state: Sequence[float]) -> bool:

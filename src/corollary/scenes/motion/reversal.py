@@ -63,6 +63,14 @@ def left_over(
             yield k, (back * (1.0 - will / was) * along).tolist()
 
 
+def turned(before: Mode | None, mode: Mode) -> float:
+    """How far off (m/s) a slip of two components may be that became too slow to have a direction, and goes on in another."""
+    went = before.rubbed if before else ()
+    return max(
+        (2.0 * c for c, s in zip(mode.creeps, went, strict=False) if isinstance(s, tuple)), default=0.0
+    )
+
+
 def not_yet(
     system: System, time: float, y: State, before: Mode, stopped: State, mode: Mode, stops: Sequence[int]
 ) -> list[float]:
