@@ -47,7 +47,8 @@ def test_a_pair_relaxes_and_goes_on_as_one(damping, lasts, tolerance):
     within(found, "velocities", z[2:4], 1e3 * tolerance)
     within(found, "trajectory", (middle - apart * b / (a + b), middle + apart * a / (a + b)), 1e3 * tolerance)
     assert found.warnings == ()
-    assert found.outcome == "sticks" if lasts == 300.0 else "bound"
+    if lasts != 30.0:  # by then some steps have seen it come to rest
+        assert found.outcome == ("bound" if lasts == 3.0 else "sticks")
 
 
 @pytest.mark.parametrize(("damping", "lasts"), [(1.5, 20.0), (1.5, 100.0), (10.0, 40.0), (30.0, 15.0)])
