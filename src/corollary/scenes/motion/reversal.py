@@ -65,10 +65,13 @@ def left_over(
 
 def turned(before: Mode | None, mode: Mode) -> float:
     """How far off (m/s) a slip of two components may be that became too slow to have a direction, and goes on in another."""
-    went = before.rubbed if before else ()
-    return max(
-        (2.0 * c for c, s in zip(mode.creeps, went, strict=False) if isinstance(s, tuple)), default=0.0
-    )
+    if before is None or not mode.creeps:
+        return 0.0
+    # What creeps already has begun at rest, where it is pushed.
+    went = [
+        isinstance(s, tuple) and not (before.creeps and before.creeps[k]) for k, s in enumerate(before.rubbed)
+    ]
+    return max((2.0 * creep for creep, was in zip(mode.creeps, went, strict=True) if was), default=0.0)
 
 
 def not_yet(
