@@ -13,7 +13,7 @@ from corollary.scenes.motion.energy_errors import conserved, energy_lost, energy
 from corollary.scenes.motion.follow import follow
 from corollary.scenes.motion.observe import contact_span, look, outcome, unequal
 from corollary.scenes.motion.path import Trajectory
-from corollary.scenes.motion.runs_apart import BY_BODY, apart_by, shares, together
+from corollary.scenes.motion.runs_apart import BY_BODY, apart_by, largest_of_body, shares
 from corollary.scenes.motion.ties import TIED, doubts, ties_pucks
 from corollary.scenes.motion.turns import flat, near
 from corollary.scenes.perturbation import CHANGED, perturbed
@@ -154,7 +154,7 @@ def measured(
             apart_by(look(scene, path, what, times), value) if path else (size,) * len(apart)
             for path in shifted
         ]
-        decided = together(
+        decided = largest_of_body(
             scene, what, [max(each) for each in zip(*beside, strict=True)] or [0.0] * len(apart)
         )
         # Places keep what velocities forget: that of several steps.

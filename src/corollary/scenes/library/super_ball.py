@@ -195,8 +195,10 @@ def _refuse_far(balls: Scene, ratio: float, far: float, tolerance: float) -> Non
     In units of the time and speed of the fall from h0: the lower ball, which rises no higher than it fell, is not met before sqrt(far) - 1.
     With all the energy there is it leaves the last touch with sqrt(1 + ratio (1 + far)) at most, and is back after twice that.
     """
-    Follower(balls, tolerance)  # BadSetting where places do not show the contacts: then weight is left out
     if math.sqrt(far) - 1.0 > SURELY * 2.0 * math.sqrt(1.0 + ratio * (1.0 + far)):
+        Follower(
+            balls, tolerance
+        )  # BadSetting where places do not show the contacts: then weight is left out
         raise GuardFailed(FALLS_BACK)
 
 

@@ -195,8 +195,8 @@ class Follower:
             self.path.dropped = max(
                 self.path.dropped, 2.0 * abs(driven(now + 4.0 * math.ulp(now)) - driven(now))
             )
-        what, now = f"{guard.kind} {guard.number}", (self.path.time, len(self.path.stretches))
-        self.path.happenings.append(Happening(what, *now, slack, guards.together(guard, [self.path.state])))
+        what, glued = f"{guard.kind} {guard.number}", guards.together(guard, [self.path.state])
+        self.path.happenings.append(Happening(what, self.path.time, len(self.path.stretches), slack, glued))
         self._refuse_hopeless(guard, speed)
         return self._after(guards, index)
 

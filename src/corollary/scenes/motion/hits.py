@@ -38,6 +38,8 @@ def _hit(system: System, time: float, y: list[float], near: Sequence[int], slow:
     """Settle what is hit at once; how much that is."""
     inverse, hits = system.inverse(time), 0
     rates = {i: system.rate(time, y, system.constraints[i]) for i in near}
+    if not any(rates[i] < -slow and not system.constraints[i].two_sided for i in near):
+        return 0
     pressed = [i for i in near if system.constraints[i].two_sided or rates[i] <= slow]
     for group, _ in system.clusters(time, y, pressed, []):
         hit = [i for i in group if rates[i] < -slow and not system.constraints[i].two_sided]

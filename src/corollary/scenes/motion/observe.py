@@ -16,6 +16,7 @@ from corollary.scenes.body import nothing_moves
 from corollary.scenes.motion.energy import energy, impulses, kinetic, masses_at, momentum, refuse_rest
 from corollary.scenes.motion.isolation import POINTS
 from corollary.scenes.motion.path import Stretch, Trajectory
+from corollary.scenes.motion.system import moved_contacts
 from corollary.scenes.motion.turns import fastest, flat, turns
 from corollary.scenes.run import BadSetting, Observable, Observed, Outcome
 from corollary.scenes.scene import (
@@ -53,8 +54,7 @@ def _at_rest(scene: Scene, path: Trajectory) -> bool:
     if path.mode is None or not (path.mode.held or path.mode.rubbed):
         return False
     held = any(s in ("on", "stick") for s in (*path.mode.held, *path.mode.rubbed))
-    loose = [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]
-    count = scene.axes * len(scene.bodies)
+    loose, count = _loose(scene), scene.axes * len(scene.bodies)
     moved = max((abs(v) for stretch in path.stretches for v in stretch.before[count:]), default=0.0)
     slow = max(1e-9 * moved, 1e-12 * path.fast)
     return held and bool(loose) and all(math.hypot(*velocity(scene, path.state, i)) <= slow for i in loose)
@@ -64,17 +64,20 @@ def _stuck(scene: Scene, path: Trajectory) -> bool:
     """Whether damped contacts have left everything that can move as fast as something it touches, through the last step."""
     if not path.stretches or Conserves.ENERGY in scene.conserves:
         return False
-    moving = [pair for force in scene.contacts for pair in force.serves(scene)]
-    moving = [(a, b) for a, b in moving if not nothing_moves(scene.bodies[a], scene.bodies[b])]
     ends = path.stretches[-1].before, path.state
     stuck = {
         i
-        for (a, b), on in zip(moving, path.touching(), strict=True)
+        for (_, a, b), on in zip(moved_contacts(scene), path.touching(), strict=True)
         if on and all(math.hypot(*seen_from(scene, y, a, b)[1]) <= 1e-9 * path.fast for y in ends)
         for i in (a, b)
     }
-    loose = {i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)}
-    return bool(loose) and loose <= stuck
+    loose = _loose(scene)
+    return bool(loose) and stuck.issuperset(loose)
+
+
+def _loose(scene: Scene) -> list[int]:
+    """The bodies that forces can move."""
+    return [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]
 
 
 def _beyond_every_edge(scene: Scene, state: Sequence[float]) -> bool:
@@ -112,13 +115,8 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
             at_start = [overlap(scene, start_of(scene), a, b)[0] for a, b in pairs(scene)]
             return max([0.0, *found, *passed, *at_start])
         case Observable.PEAK_FORCE:
-            return max(
-                (
-                    _largest(lambda y, f=f, a=a, b=b: math.hypot(*f.between(scene, y, a, b)), touching)
-                    for f, a, b, touching in _served(scene, path)
-                ),
-                default=0.0,
-            )
+            served = _served(scene, path)
+            return max([0.0, *(_largest(_felt(scene, f, a, b), touching) for f, a, b, touching in served)])
         case Observable.DURATION:
             if path.settled:
                 return math.inf
@@ -232,6 +230,11 @@ def contact_span(path: Trajectory, more: Sequence[Stretch] = ()) -> Span | None:
     ends = [h.slack for h in path.happenings if h.what.startswith("touch") and h.stretch in (first, last + 1)]
     # Added up: no digits are lost to the time before.
     return Span(math.fsum(each.lasts for each in path.stretches[first : last + 1]), math.fsum(ends))
+
+
+def _felt(scene: Scene, force: ContactForce, a: int, b: int) -> Callable[[Sequence[float]], float]:
+    """How strong (N) a contact is in a state: what nothing moves may be apart in it."""
+    return lambda y: math.hypot(*force.between(scene, y, a, b)) if overlap(scene, y, a, b)[0] > 0.0 else 0.0
 
 
 def _served(scene: Scene, path: Trajectory) -> list[tuple[ContactForce, int, int, list[Stretch]]]:

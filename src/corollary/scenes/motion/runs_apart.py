@@ -67,13 +67,14 @@ def _handed_on(scene: Scene, own: Sequence[float]) -> list[float]:
     return found
 
 
-def together(scene: Scene, what: Observable, each: Sequence[float]) -> list[float]:
+def largest_of_body(scene: Scene, what: Observable, each: Sequence[float]) -> list[float]:
     """For every component the largest of its body's, where bodies have such; otherwise of all."""
     axes = scene.axes if what in BY_BODY else len(each) or 1
     return [max(each[i - i % axes : i - i % axes + axes]) for i in range(len(each))]
 
 
 def apart_by(a: Observed, b: Observed) -> tuple[float, ...]:
+    """How far two values are apart, component by component; infinitely where they have not as many."""
     first, second = components(a), components(b)
     if len(first) != len(second):
         return (math.inf,) * len(second)

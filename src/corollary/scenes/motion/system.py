@@ -37,6 +37,12 @@ class Mode:
     creeps: tuple[float, ...] = ()
 
 
+def moved_contacts(scene: Scene) -> list[tuple[ContactForce, int, int]]:
+    """Every two bodies that a contact acts between, and that something moves; a mode tells in this order which touch."""
+    served = [(force, a, b) for force in scene.contacts for a, b in force.serves(scene)]
+    return [(f, a, b) for f, a, b in served if not nothing_moves(scene.bodies[a], scene.bodies[b])]
+
+
 class System:
     """A scene taken apart once: its constraints, rubs, contacts and events in lists, so that a mode can name them by number.
 
@@ -52,8 +58,7 @@ class System:
         self.rubs: list[Rub] = []
         self.pressed, self.rub_contacts = list[int](), list[int]()
         self.always = [force for force in scene.forces if not isinstance(force, ContactForce)]
-        bodies, touches = scene.bodies, [(f, a, b) for f in scene.contacts for a, b in f.serves(scene)]
-        self.contacts = [(f, a, b) for f, a, b in touches if not nothing_moves(bodies[a], bodies[b])]
+        self.contacts = moved_contacts(scene)
         for force in scene.forces:
             held = list(force.constraints(scene))
             first = len(self.constraints)
@@ -209,19 +214,17 @@ class System:
                         if x:
                             gained[j] -= brake * part * x * inverse[j]
 
-    def _held_by_one(self, time: float, y: State, constraint: Constraint, gained: list[float]) -> bool:
-        """Add to the accelerations what a single constraint takes; false where it holds nothing that moves."""
+    def _held_by_one(self, time: float, y: State, constraint: Constraint, gained: list[float]) -> None:
+        """Add to the accelerations what a single constraint takes; nothing where it holds nothing that moves."""
         inverse = self.inverse(time).tolist() if self.changing else self.steady
         row = constraint.row(time, y)
         moved = list(map(mul, row, inverse))
         resists = sum(map(mul, row, moved))
-        if not resists > 0.0:
-            return False
+        if resists == 0.0:
+            return
         bias = sum(map(mul, row, gained)) + constraint.drift(time, y)
-        z = bias / resists
         for j, m in enumerate(moved):
-            gained[j] -= z * m
-        return True
+            gained[j] -= bias / resists * m
 
     def clusters(
         self, time: float, y: State, constraints: Sequence[int], rubs: Sequence[int]
@@ -287,9 +290,9 @@ class System:
             gained = self.gains(time, y, since, mode.touching)
             if brakes and len(on) <= 1:
                 self._braked(time, y, mode, gained)
-                if not on or self._held_by_one(time, y, on[0], gained):
-                    return gained
-                gained = self.gains(time, y, since, mode.touching)
+                for constraint in on:
+                    self._held_by_one(time, y, constraint, gained)
+                return gained
             items = self.items(time, y, gained, mode)
             found = answer(items, [item.may[0] for item in items], self.inverse(time), fair=False)
             return (np.asarray(gained) + self.inverse(time) * found.total).tolist()
