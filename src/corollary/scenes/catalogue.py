@@ -110,4 +110,4 @@ def _finite(scene: str, found: Run) -> Run:
         raise BadSetting(
             f"{scene}: with these settings numbers leave the range of a computer; choose milder ones."
         )
-    return found.without(lost)
+    return found.without(lost) if lost else found

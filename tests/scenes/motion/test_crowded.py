@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from corollary.scenes.forces.rod import String
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
@@ -35,6 +36,39 @@ def test_into_a_groove_a_little_beside_its_bottom(aside, lean, restitution, tole
     if abs(aside) >= 1e-3:
         assert max(errors) < 1e-4
     assert all(abs(a - b) <= e for a, b, e in zip(values, velocity, errors, strict=True)), (values, velocity)
+
+
+@pytest.mark.parametrize(
+    ("lean", "restitution", "said"),
+    [
+        (0.9, 0.0, True),
+        (0.9, 0.5, True),
+        (0.6, 1.0, True),
+        (0.6, 0.0, False),
+        (math.pi / 4.0, 0.5, False),
+        (math.pi / 4.0, 0.0, False),
+    ],
+)
+def test_into_the_very_bottom_of_a_groove_the_order_of_the_hits_may_matter(lean, restitution, said):
+    """It matters where one side after the other leaves the body otherwise; then it is said, and the rule taken."""
+    sides = (math.cos(lean), math.sin(lean)), (-math.cos(lean), math.sin(lean))
+    in_turn = [0.0, -1.0]
+    for normal in sides * 20:
+        in_turn = bounced(in_turn, normal, restitution)
+    assert (math.dist(in_turn, (0.0, restitution)) > 1e-6) == said
+    walls = tuple(HardWall(normal, restitution=restitution) for normal in sides)
+    found = play(Scene((Body(1.0, (0.0, 1.0), (0.0, -1.0)),), walls, until=1.5), {O.VELOCITIES})
+    assert found.observed["velocities"] == pytest.approx((0.0, restitution), abs=1e-7)
+    assert any("one after the other they would leave it otherwise" in each for each in found.warnings) == said
+
+
+@pytest.mark.parametrize(("fast", "said"), [(1.0, True), (0.0, False)])
+def test_a_jerk_that_meets_a_taut_elastic_string(fast, said):
+    """The middle body hangs on both: in turn, the second string would throw back what the first one has set moving."""
+    bodies = tuple(Body(1.0, (x,), (fast * (x > 1.0),)) for x in (0.0, 0.6, 1.1))
+    strings = String((0, 1), 0.6, 0.5), String((1, 2), 0.6, 0.5)
+    found = play(Scene(bodies, strings, until=0.5), {O.VELOCITIES})
+    assert any("hit while something else holds it" in each for each in found.warnings) == said
 
 
 def test_hits_at_one_moment_are_taken_together():

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 
+from corollary.scenes.constraint import State
 from corollary.scenes.motion.complementarity import settled
 from corollary.scenes.motion.multipliers import Item, Status, answer
 from corollary.scenes.motion.reversal import accelerations
@@ -15,6 +17,8 @@ from corollary.scenes.run import GuardFailed
 
 MOST_HITS = 3_000
 """So many hits at one moment are followed: in turn they bring bodies to rest against each other, or let them go."""
+SEEN = 1e-7
+"""Velocities that are so large a part of the fastest apart are not the same."""
 
 
 def settle_hits(system: System, time: float, y: list[float], near: Sequence[int], slow: float) -> int:
@@ -32,6 +36,24 @@ def settle_hits(system: System, time: float, y: list[float], near: Sequence[int]
                 f"at {time:.6g} s what holds bodies hits them in turn more than {MOST_HITS} times."
             )
     return hits
+
+
+def hangs_on_order(system: System, time: float, y: State, near: Sequence[int], sizes: Sizes) -> bool:
+    """Whether what is hit at this very moment would leave otherwise, were one of its hits the first, or did nothing else hold it then."""
+    always = [i for i in near if system.constraints[i].two_sided]
+    if len(near) - len(always) < 2:
+        return False
+    hit = [i for i in near if i not in always and system.rate(time, y, system.constraints[i]) < -sizes.speed]
+    ends: list[list[float]] = []
+    for first in [near, *([*always, i] for i in hit)]:
+        end = list(y)
+        try:
+            _hit(system, time, end, first, sizes.speed)
+            settle_hits(system, time, end, near, sizes.speed)
+        except GuardFailed:
+            continue
+        ends.append(end)
+    return any(math.dist(ends[0], end) > SEEN * sizes.fast for end in ends)
 
 
 def _hit(system: System, time: float, y: list[float], near: Sequence[int], slow: float) -> int:

@@ -59,8 +59,7 @@ class Moment:
             # What has been held until now, steps have left a little off.
             project(self.system, self.time, self.y, *held_in(self.before))
         push_out(self.system, self.time, self.y, self._near())
-        if crowded(self.system, self.time, self.y, self.sizes):
-            self.doubts.add("crowd")
+        self.doubts |= crowded(self.system, self.time, self.y, self._near(), self.sizes)
         slipping = slid(self.system, self.time, self.y, self.before, self.sizes.speed)
         self.hits += settle_hits(self.system, self.time, self.y, self._near(), self.sizes.speed)
         self.stopped |= {k for k in slipping if unseen(self.system, self.time, self.y, k, self.sizes.speed)}

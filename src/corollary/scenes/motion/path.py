@@ -121,8 +121,9 @@ class Turn:
     inward: bool
 
 
-Doubt = Literal["graze", "crowd", "tie", "rival"]
-"""A touch may be missed; of several hits another may be first; friction may hold or not; the laws leave several motions open."""
+Doubt = Literal["graze", "crowd", "order", "tie", "rival"]
+"""A touch may be missed; of several hits another may be first; or all are at once, and one first would make a difference; friction may
+hold or not; the laws leave several motions open."""
 
 
 @dataclass(slots=True)

@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from corollary.scenes.constraint import Rub, State, farther_off
 from corollary.scenes.motion.complementarity import settled
+from corollary.scenes.motion.hits import hangs_on_order
 from corollary.scenes.motion.multipliers import Item, Status
 from corollary.scenes.motion.path import Doubt, Trajectory
 from corollary.scenes.motion.sizes import Sizes
@@ -19,6 +20,8 @@ from corollary.scenes.scene import Scene, start_of
 SENTENCES: dict[Doubt, str] = {
     "graze": "a touch grazes at about {:.6g} s: whether it happens is within the error, and in the errors stated",
     "crowd": "at {:.6g} s a body is hit from several sides all but at once: which hit is first is in the errors stated",
+    "order": "at {:.6g} s a body is hit from several sides at once, or hit while something else holds it: these are settled together; one "
+    "after the other they would leave it otherwise",
     "tie": "friction soon after {:.6g} s can hold as much as it must, but for errors: whether it does is in the errors stated",
     "rival": "at {:.6g} s what carries a body decides how much friction can hold, and the laws of rigid bodies leave it open: the errors "
     "stated span another motion that obeys them",
@@ -71,8 +74,8 @@ def tied(items: Sequence[Item], statuses: Sequence[Status], inverse: Array, shar
     return False
 
 
-def crowded(system: System, time: float, y: State, sizes: Sizes) -> bool:
-    """Whether what is hit now is hit elsewhere all but at once, so that errors decide in which order, or that it is at once."""
+def crowded(system: System, time: float, y: State, near: Sequence[int], sizes: Sizes) -> set[Doubt]:
+    """Whether what is hit now, with those `near`, is hit elsewhere all but at once, or at once, so that errors or a rule decide."""
     gaps = {i: c.gap(time, y) for i, c in enumerate(system.constraints) if not c.two_sided}
     closing = [
         i
@@ -82,8 +85,8 @@ def crowded(system: System, time: float, y: State, sizes: Sizes) -> bool:
     for group, _ in system.clusters(time, y, closing, []):
         found = sorted(gaps[i] for i in group)
         if found[0] <= sizes.gap and found[-1] - found[0] > 8.0 * math.ulp(sizes.long):
-            return True
-    return False
+            return {"crowd"}
+    return {"order"} if hangs_on_order(system, time, y, near, sizes) else set()
 
 
 def doubts(*paths: Trajectory) -> list[str]:
