@@ -152,3 +152,12 @@ def test_errors_of_a_thousand_variants_hold(name, fixed, tolerance):
 def test_numbers_may_be_of_any_kind():
     one, other = (corollary.ensemble("spheres", R=r, dx=1.0, dy=0.1) for r in (np.float32(0.25), 0.25))
     assert one.observed["velocities"].tolist() == other.observed["velocities"].tolist()
+
+
+def test_spheres_that_miss_keep_their_velocities_to_the_last_place():
+    across = np.stack([np.linspace(0.01, 0.1, 500), np.linspace(-0.01, -0.001, 500)], axis=1)
+    found = corollary.ensemble("spheres", vA=across, vB=(0.0, 0.0), dx=0.1, dy=0.4)
+    assert set(found.outcomes) == {"missed"}
+    assert (found.observed["velocities"][:, :2] == across).all()
+    assert not found.observed["velocities"][:, 2:].any()
+    assert not found.errors["velocities"].any()

@@ -345,3 +345,16 @@ def test_one_more_observable_leaves_the_others_with_their_cheap_model():
         "velocities": "integration",
         "energy": "conservation",
     }
+
+
+def test_a_nail_at_the_origin_does_not_feel_the_well():
+    """A spring of no length beside the well: the two are one stiffer well, with its bottom nearer."""
+    nail, atom = Body(math.inf, (0.0,), (0.0,)), Body(2.0, (1.0,), (0.5,))
+    both = Scene((atom, nail), (Well(100.0, 1.0, 0.5), Spring((0, 1), 25.0)), until=1.5)
+    found = play(both, V | {Observable.ENERGY})
+    w, bottom = math.sqrt(125.0 / 2.0), 100.0 / 125.0
+    at = (1.0 - bottom) * -w * math.sin(1.5 * w) + 0.5 * math.cos(1.5 * w)
+    (value, still), (error, _) = found.observed["velocities"], found.errors["velocities"]
+    assert abs(value - at) <= error < 1e-8
+    assert still == 0.0
+    assert found.observed["energy"] == pytest.approx(0.25 + 12.5, rel=1e-14)

@@ -202,6 +202,8 @@ WRONG = [
     ("chosen", lambda: Scene(TWO, (Contact(1.0, chosen=[(0, 1)]),))),
     ("k = 0", lambda: alone(Well(0.0, 1.0, 0.5))),
     ("d = -0.5", lambda: alone(Well(1.0, 1.0, -0.5))),
+    ("lower d", lambda: alone(Well(1.0, 0.5, 0.9))),
+    ("lower d", lambda: alone(Well(1.0, 0.5, 0.5))),
     ("function = 3", lambda: push(3.0)),
     ("1 real number", lambda: push(lambda t, x, v: 1.0)),
     ("1 real number", lambda: push(lambda t, x, v: (1.0, 2.0))),

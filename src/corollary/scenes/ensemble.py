@@ -283,7 +283,10 @@ def _spheres(settings: dict[str, Array], n: int, tolerances: tuple[float, float]
         "impulse": mass * fast,
     }
     least = np.where(meets, spheres.SAFE * max(5e-15, spheres.LUCK * tolerances[0]) + doubt, 0.0)
-    return _gathered(units, coarse, fine, found, (spheres.SAFE, 1.0, least), spent)
+    all_of_them = _gathered(units, coarse, fine, found, (spheres.SAFE, 1.0, least), spent)
+    missed = found == MISSED  # those keep their velocities, to the last place
+    all_of_them.observed["velocities"][missed] = np.concatenate([va, vb]).T[missed]
+    return all_of_them
 
 
 PLAYED = {"cradle": _cradle, "spheres": _spheres}

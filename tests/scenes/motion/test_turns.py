@@ -5,9 +5,12 @@ from __future__ import annotations
 import math
 
 import pytest
+from scipy.integrate import quad
+from scipy.optimize import brentq
 
 from corollary.scenes.body import Body
 from corollary.scenes.forces.drag import Drag
+from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.spring import Spring
 from corollary.scenes.forces.wall import HardWall
@@ -102,3 +105,32 @@ def test_of_many_turns_the_nearest_and_the_farthest_are_told():
         components(found.value), components(found.error), (nearest, 2.0), strict=True
     ):
         assert abs(value - exact) <= error < 1e-8
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-8, 1e-10])
+@pytest.mark.parametrize("until", [13.1, 46.7, 569.0])
+def test_a_long_watch_at_a_loose_tolerance_has_its_period_still(tolerance, until):
+    """About a charged wire: the period is the integral of the radial motion, from one turning point to the other and back."""
+    pull, mass, place, speed = 2.65, 2.3, (-1.358, 0.681), (-0.43, -0.86)
+    spin = place[0] * speed[1] - place[1] * speed[0]
+    energy = 0.5 * mass * math.hypot(*speed) ** 2 + pull * math.log(math.hypot(*place))
+
+    def squared(r):
+        return 2.0 * (energy - pull * math.log(r)) / mass - (spin / r) ** 2
+
+    low, high = brentq(squared, 0.05, math.hypot(*place)), brentq(squared, math.hypot(*place), 9.0)
+    middle, half = 0.5 * (high + low), 0.5 * (high - low)
+    truth, _ = quad(
+        lambda a: 2.0 * half * math.cos(a) / math.sqrt(squared(middle + half * math.sin(a))),
+        -0.5 * math.pi,
+        0.5 * math.pi,
+    )
+    wire = ForceFunction(
+        0,
+        lambda t, x, v: tuple(-pull * c / (x[0] ** 2 + x[1] ** 2) for c in x),
+        energy=lambda x: pull * math.log(math.hypot(*x)),
+    )
+    measured = play(
+        Scene((Body(mass, place, speed),), (wire,), until=until), {Observable.PERIOD}, tolerance
+    ).measured["period"]
+    assert abs(measured.value - truth) <= measured.error < 0.02 * truth

@@ -19,7 +19,7 @@ LATE = 1e-15
 class Well(Force):
     """U = k (r - b)^2 / 2 for b - d < r < b + d, k d^2 / 2 farther out, a hard core at b - d; r is the distance from the origin.
 
-    k, b and d are above zero. Source: equations (12.138) and (12.140).
+    k, b and d are above zero, and d is below b. What has no end of mass does not feel it. Source: equations (12.138) and (12.140).
     """
 
     k: float
@@ -36,8 +36,12 @@ class Well(Force):
 
     def fits(self, scene: Scene) -> None:
         refuse_below_zero(scene.name, self, above=("k", "b", "d"))
-        for i, body in enumerate(scene.bodies):
-            if not math.isinf(body.mass) and math.hypot(*body.place) < self.wall:
+        if self.d >= self.b:
+            raise BadSetting(
+                f"{scene.name}: the Well has d = {self.d:g} m and b = {self.b:g} m, and its core, at b - d, is to be beyond the origin: lower d."
+            )
+        for i in _felt_by(scene):
+            if math.hypot(*scene.bodies[i].place) < self.wall:
                 raise BadSetting(
                     f"{scene.name}: body {i} starts inside the core of the Well; b - d = {self.wall:g} m from the origin, or farther, is right."
                 )
@@ -48,7 +52,7 @@ class Well(Force):
         They feel it to the end of the step: the stages of a step that ends at the edge reach over it, and a force that jumps within
         a step would cost the method its order.
         """
-        for i in range(len(scene.bodies)):
+        for i in _felt_by(scene):
             if inside(place(scene, since, i), self.edge) > 0.0:
                 x = place(scene, state, i)
                 r = math.hypot(*x)
@@ -56,7 +60,7 @@ class Well(Force):
 
     def potential(self, scene: Scene, state: State) -> float:
         """Zero at the bottom of the well."""
-        places = (place(scene, state, i) for i in range(len(scene.bodies)))
+        places = (place(scene, state, i) for i in _felt_by(scene))
         return sum(0.5 * self.k * min(math.hypot(*x) - self.b, self.d) ** 2 for x in places)
 
     def events(self, scene: Scene) -> Iterator[Event]:
@@ -71,11 +75,14 @@ class Well(Force):
             r = math.hypot(*x)
             return bounced([c / r for c in x], velocity(scene, y, i), 1.0)
 
-        for i, body in enumerate(scene.bodies):
-            if not math.isinf(body.mass):
-                yield Event(lambda y, i=i: inside(place(scene, y, i), self.edge))
-                yield Event(lambda y, i=i: -inside(place(scene, y, i), core), i, lambda y, i=i: turned(y, i))
+        for i in _felt_by(scene):
+            yield Event(lambda y, i=i: inside(place(scene, y, i), self.edge))
+            yield Event(lambda y, i=i: -inside(place(scene, y, i), core), i, lambda y, i=i: turned(y, i))
 
     @property
     def conserves(self) -> Conserves:
         return Conserves.ENERGY
+
+
+def _felt_by(scene: Scene) -> list[int]:
+    return [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]

@@ -83,7 +83,7 @@ def _loose(scene: Scene) -> list[int]:
 def _beyond_every_edge(scene: Scene, state: Sequence[float]) -> bool:
     """Whether forces of the scene have edges, and its bodies are beyond them on their way out."""
     edges = [force.edge for force in scene.forces if math.isfinite(force.edge)]
-    places = [(place(scene, state, i), velocity(scene, state, i)) for i in range(len(scene.bodies))]
+    places = [(place(scene, state, i), velocity(scene, state, i)) for i in _loose(scene)]
     outward = all(sum(a * b for a, b in zip(x, v, strict=True)) > 0.0 for x, v in places)
     return bool(edges) and outward and all(math.hypot(*x) >= edge for x, _ in places for edge in edges)
 
@@ -158,7 +158,8 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
 def _period(scene: Scene, path: Trajectory, returns: Sequence[float]) -> float:
     """The time between two of the returns (s). Raises BadSetting where it is another each time."""
     lasted = [after - before for before, after in pairwise(returns)]
-    known = min(path.near / fastest(scene, path), COARSE * max(lasted))
+    # What steps are off they hand on to all returns after.
+    known = min(len(lasted) * path.near / fastest(scene, path), COARSE * max(lasted))
     if max(lasted) - min(lasted) > UNEQUAL * max(lasted) + known:
         raise BadSetting(
             f"{scene.name}: the distance returns after {min(lasted):.6g} s and after {max(lasted):.6g} s: there is no period. "
