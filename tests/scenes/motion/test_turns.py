@@ -15,6 +15,7 @@ from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.spring import Spring
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.well import Well
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, Observable, components
 from corollary.scenes.scene import Scene
@@ -134,3 +135,20 @@ def test_a_long_watch_at_a_loose_tolerance_has_its_period_still(tolerance, until
         Scene((Body(mass, place, speed),), (wire,), until=until), {Observable.PERIOD}, tolerance
     ).measured["period"]
     assert abs(measured.value - truth) <= measured.error < 0.02 * truth
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        Scene(
+            (Body(2.0, (1.0, 5.0), (1.0, 0.7), 0.1),),
+            (Weight(9.8), HardWall((0.0, 1.0), restitution=0.8)),
+            until=3.0,
+        ),
+        Scene((Body(1.0, (1.0,), (0.3,)),), (Well(10.0, 1.0, 0.9), Drag(0, linear=0.5)), until=20.0),
+    ],
+    ids=["thrown far", "damped"],
+)
+def test_returns_to_other_distances_are_no_period(scene):
+    with pytest.raises(BadSetting, match=r"least at .* m once and at .* another time: there is no period"):
+        play(scene, {Observable.PERIOD})

@@ -15,7 +15,7 @@ from scipy.optimize import minimize_scalar
 from corollary.scenes.body import nothing_moves
 from corollary.scenes.motion.energy import energy, impulses, kinetic, masses_at, momentum, refuse_rest
 from corollary.scenes.motion.isolation import POINTS
-from corollary.scenes.motion.path import Stretch, Trajectory
+from corollary.scenes.motion.path import Stretch, Trajectory, Turn
 from corollary.scenes.motion.system import moved_contacts
 from corollary.scenes.motion.turns import fastest, flat, turns
 from corollary.scenes.run import BadSetting, Observable, Observed, Outcome
@@ -155,29 +155,42 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
             assert_never(what)
 
 
-def _period(scene: Scene, path: Trajectory, returns: Sequence[float]) -> float:
-    """The time between two of the returns (s). Raises BadSetting where it is another each time."""
-    lasted = [after - before for before, after in pairwise(returns)]
+def _period(scene: Scene, path: Trajectory, returns: Sequence[Turn]) -> float:
+    """The time between two of the returns (s). Raises BadSetting where it is another each time, or they are to other distances."""
+    lasted = _between(returns)
     # What steps are off they hand on to all returns after.
-    known = min(len(lasted) * path.near / fastest(scene, path), COARSE * max(lasted))
-    if max(lasted) - min(lasted) > UNEQUAL * max(lasted) + known:
+    off, far = len(lasted) * path.near, max(math.hypot(*place(scene, y, 0)) for y in path.ends())
+    distances = [turn.distance for turn in returns]
+    if max(distances) - min(distances) > UNEQUAL * far + min(off, COARSE * far):
+        raise BadSetting(
+            f"{scene.name}: the distance is least at {min(distances):.6g} m once and at {max(distances):.6g} m another time: there is no "
+            "period. Ask for turning points, or for a trajectory."
+        )
+    if max(lasted) - min(lasted) > UNEQUAL * max(lasted) + min(
+        off / fastest(scene, path), COARSE * max(lasted)
+    ):
         raise BadSetting(
             f"{scene.name}: the distance returns after {min(lasted):.6g} s and after {max(lasted):.6g} s: there is no period. "
             "Ask for turning points, or for a trajectory."
         )
-    return (returns[-1] - returns[0]) / len(lasted)
+    return math.fsum(lasted) / len(lasted)
+
+
+def _between(returns: Sequence[Turn]) -> list[float]:
+    """How long (s) it is from each return to the next."""
+    return [after.time - before.time for before, after in pairwise(returns)]
 
 
 def unequal(scene: Scene, path: Trajectory) -> float:
     """By how much (s) the times between returns differ that are taken for a period as places are known no better."""
-    lasted = [after - before for before, after in pairwise(_returns(scene, path))]
+    lasted = _between(_returns(scene, path))
     apart = max(lasted, default=0.0) - min(lasted, default=0.0)
     return apart if apart > UNEQUAL * max(lasted, default=0.0) else 0.0
 
 
-def _returns(scene: Scene, path: Trajectory) -> list[float]:
-    """When (s) the first body has come back to its least distance."""
-    return [turn.time for turn in turns(scene, path) if turn.inward]
+def _returns(scene: Scene, path: Trajectory) -> list[Turn]:
+    """Where the first body has come back to a least distance."""
+    return [turn for turn in turns(scene, path) if turn.inward]
 
 
 def state_at(scene: Scene, path: Trajectory, time: float) -> Sequence[float]:
