@@ -10,12 +10,15 @@ from scipy.optimize import brentq
 
 from corollary.scenes.body import Body
 from corollary.scenes.forces.drag import Drag
+from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.spring import Spring
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
+from corollary.scenes.motion.path import Turn
+from corollary.scenes.motion.turns import extremes
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, Observable, components
 from corollary.scenes.scene import Scene
@@ -152,3 +155,40 @@ def test_a_long_watch_at_a_loose_tolerance_has_its_period_still(tolerance, until
 def test_returns_to_other_distances_are_no_period(scene):
     with pytest.raises(BadSetting, match=r"least at .* m once and at .* another time: there is no period"):
         play(scene, {Observable.PERIOD})
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-8, 1e-12])
+@pytest.mark.parametrize(
+    ("body", "forces", "truth"),
+    [
+        (Body(1.0, (1.358,), (0.0,)), (Spring((0, 1), 1.0, 1.0, damping=2.5),), (1.358,)),
+        (Body(1.0, (1.817,), (0.0,)), (Spring((0, 1), 1.0, 1.0, damping=3.0),), (1.817,)),
+        (Body(1.0, (1.491,), (0.979,)), (Drag(0, linear=20.0),), ()),
+        (Body(0.48, (1.432,), (-0.71,)), (Friction(0, 0.57),), ()),
+        (Body(3.0, (0.138,), (0.099,)), (Friction(0, 0.3),), ()),
+        (Body(1.0, (1.934,), (0.0,)), (Spring((0, 1), 50.0, 1.0), Friction(0, 0.3)), (0.1836, 1.934)),
+    ],
+    ids=["creeps", "creeps slowly", "fades", "slides in", "slides out", "stops at a turn"],
+)
+def test_what_comes_to_rest_does_not_turn_there(body, forces, truth, tolerance):
+    nail = Body(math.inf, (0.0,), (0.0,))
+    found = play(Scene((body, nail), forces, until=30.0), {Observable.TURNING_POINTS}, tolerance)
+    values, errors = found.observed["turning_points"], found.errors["turning_points"]
+    assert len(values) == len(truth)
+    assert all(abs(a - b) <= max(e, 1e-15) < 1e-4 for a, b, e in zip(values, truth, errors, strict=True))
+    assert found.warnings == ()
+
+
+@pytest.mark.parametrize(
+    ("distances", "turns"),
+    [
+        ([1.0, 1.0, 1.0], []),
+        ([1.0, 1.0 - 1e-9, 1.0, 1.0 + 1e-9], []),
+        ([1.0, 2.0, 2.0 - 1e-9, 2.0], [(0, True)]),
+        ([1.0, 2.0, 2.0 - 1e-9, 2.0 + 1e-9, 1.0], [(0, True), (3, False)]),
+        ([2.0, 1e-12, 2e-12, 0.0, 2.0, 1.0], [(0, False), (3, True), (4, False)]),
+    ],
+)
+def test_ways_of_rounding_are_no_turns(distances, turns):
+    passed = [Turn(float(i), distance, False) for i, distance in enumerate(distances)]
+    assert [(turn.time, turn.inward) for turn in extremes(passed, 1e-6)] == turns

@@ -27,31 +27,40 @@ def _turns(scene: Scene, path: Trajectory) -> list[Turn]:
     if path.stretches and flat(scene, path):
         first = path.stretches[0]
         return [Turn(first.begin, math.hypot(*place(scene, first.before, 0)), False)]
-    found: list[Turn] = []
-    last = 0.0
+    passed: list[Turn] = []
     for stretch in path.stretches:
-        begin = _outward(scene, stretch.before)
-        turns_there = stretch is path.stretches[0] and starts_across(scene.bodies[0])
-        if last * begin < 0.0 or turns_there:
-            first = _outward(scene, stretch.at(0.5)) > 0.0 if turns_there else begin > 0.0
-            found.append(Turn(stretch.begin, math.hypot(*place(scene, stretch.before, 0)), first))
-        found += _inside(scene, stretch)
-        last = _outward(scene, stretch.after)
+        passed.append(Turn(stretch.begin, math.hypot(*place(scene, stretch.before, 0)), False))
+        passed += _inside(scene, stretch)
+    passed.append(Turn(path.time, math.hypot(*place(scene, path.state, 0)), False))
     least = near(scene, path)
-    return [
-        replace(turn, time=_time_of(scene, path, turn, least)) if turn.inward else turn
-        for turn in _without_those_of_rounding(found, least)
-    ]
+    found = extremes(passed, least)
+    if found and found[0].time == 0.0 and not starts_across(scene.bodies[0]):
+        del found[0]
+    return [replace(turn, time=_time_of(scene, path, turn, least)) if turn.inward else turn for turn in found]
 
 
-def _without_those_of_rounding(turns: Sequence[Turn], near: float) -> list[Turn]:
-    """Where a body is thrown back at the origin itself, rounding may send it past: what turns within `near` (m) and comes back is one turn."""
+def extremes(passed: Sequence[Turn], least: float) -> list[Turn]:
+    """Of distances, one after the other, those from which it goes another way by more than `least` (m), and the first.
+
+    What comes to rest, or creeps there, does not turn: where rounding sends it is no way. Nor does what rounding sends past the origin.
+    """
     found: list[Turn] = []
-    for turn in turns:
-        past = not turn.inward and turn.distance <= near
-        if not found or not (past or turn.inward is found[-1].inward):
-            found.append(turn)
+    low = high = passed[0]
+    way = 0.0  # which way the distance goes; at first it is not known
+    for each in passed[1:]:
+        if way >= 0.0 and high.distance - each.distance > least:
+            found.append(replace(high, inward=False))
+            way, low = -1.0, each
+        elif way <= 0.0 and each.distance - low.distance > least:
+            found.append(replace(low, inward=True))
+            way, high = 1.0, each
+        low = min(low, each, key=_distance)
+        high = max(high, each, key=_distance)
     return found
+
+
+def _distance(turn: Turn) -> float:
+    return turn.distance
 
 
 def _time_of(scene: Scene, path: Trajectory, turn: Turn, least: float) -> float:
