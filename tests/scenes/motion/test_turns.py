@@ -192,3 +192,15 @@ def test_what_comes_to_rest_does_not_turn_there(body, forces, truth, tolerance):
 def test_ways_of_rounding_are_no_turns(distances, turns):
     passed = [Turn(float(i), distance, False) for i, distance in enumerate(distances)]
     assert [(turn.time, turn.inward) for turn in extremes(passed, 1e-6)] == turns
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-10, 1e-12])
+@pytest.mark.parametrize(("slope", "mu"), [(0.5, 0.1), (0.8, 0.3), (1.0, 0.2)])
+def test_a_block_turns_where_it_stops_on_a_rough_incline(slope, mu, tolerance):
+    """Friction goes the other way from there: a step ends as it turns."""
+    across, up = math.cos(slope), math.sin(slope)
+    incline = HardWall((-up, across), restitution=0.0, mu=mu)
+    block = Body(1.0, (across, up), (1.5 * across, 1.5 * up))
+    found = play(Scene((block,), (Weight(9.8), incline), until=0.4), {Observable.TURNING_POINTS}, tolerance)
+    (value,), (error,) = found.observed["turning_points"], found.errors["turning_points"]
+    assert abs(value - 1.0 - 1.5**2 / (2.0 * 9.8 * (up + mu * across))) <= error < 10.0 * tolerance
