@@ -28,8 +28,8 @@ BEFORE_AND_AFTER = {Observable.VELOCITIES, Observable.ENERGY_RATIO} | OF_BODIES_
 ALONE_ON_A_LINE = BEFORE_AND_AFTER | {Observable.DURATION, Observable.LARGEST_OVERLAP, Observable.PEAK_FORCE}
 ON_A_LINE = ALONE_ON_A_LINE - OF_BODIES_ALONE
 OF_AN_ORBIT = {Observable.PERIOD, Observable.TURNING_POINTS}
-# A period is seen when the distance has come back to its least value twice; until then "turning points" are those met so far.
-SEEN = 2.0
+# A period is seen when the distance has come back to its least value twice, both turning points after one; until then those are met so far.
+SEEN = {Observable.PERIOD: 2.0, Observable.TURNING_POINTS: 1.0}
 
 
 def on_a_line(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
@@ -166,7 +166,7 @@ def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -
     match played.outcome:
         case "bound":
             period = played.observed["period"]
-            fits = set(observe) <= OF_AN_ORBIT and isinstance(period, float) and until >= SEEN * period
+            fits = set(observe) <= OF_AN_ORBIT and isinstance(period, float) and _seen(observe, until, period)
         case "escaped":
             gone = played.observed["duration"]
             # One that starts across the radius turns at once, which these integrals do not count.
@@ -201,10 +201,15 @@ def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: flo
             return None
     else:
         period = run.observed["period"]
-        if scene.until is not None and isinstance(period, float) and scene.until < SEEN * period:
+        if scene.until is not None and isinstance(period, float) and not _seen(observe, scene.until, period):
             return None
     _refuse_overlap(scene, min([math.hypot(x, y), *components(run.observed["turning_points"])]))
     return run.only(o.value for o in observe)
+
+
+def _seen(observe: Collection[Observable], until: float, period: float) -> bool:
+    """Whether by the end (s) everything that is asked of an orbit has shown."""
+    return until >= period * max(SEEN[what] for what in observe)
 
 
 def _refuse_overlap(scene: Scene, nearest: float) -> None:

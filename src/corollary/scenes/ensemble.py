@@ -83,6 +83,8 @@ def _numbers(name: str, setting: Setting, value: Any) -> Array:
     """Raises BadSetting for what is no array of numbers that a double holds, or an empty one."""
     try:
         found = np.asarray(value, dtype=float)
+        if np.asarray(value).dtype == bool:
+            raise TypeError
     except (TypeError, ValueError, OverflowError):
         raise BadSetting(
             f"{name}: {setting.name} = {short_text(value)} is no number, and no array of numbers, that a double holds."

@@ -189,8 +189,8 @@ def unequal(scene: Scene, path: Trajectory) -> float:
 
 
 def _returns(scene: Scene, path: Trajectory) -> list[Turn]:
-    """Where the first body has come back to a least distance."""
-    return [turn for turn in turns(scene, path) if turn.inward]
+    """Where the first body has come back to a least distance; one that starts in the origin itself has not come back."""
+    return [turn for turn in turns(scene, path) if turn.inward and (turn.time or turn.distance)]
 
 
 def state_at(scene: Scene, path: Trajectory, time: float) -> Sequence[float]:

@@ -42,6 +42,9 @@ SEEN, FADES, EDGE, STIFF_STEPS = 1.0, 3.0, 5.0, 15
 FEW_LEFT, TRY_AGAIN = 40, 20
 # The golden ratio: multiplied by ten as often as one likes two first steps come nowhere near each other.
 APART = 0.618
+# No step is a larger part of the whole time, at a tolerance of 1e-6, and less at a finer one, as the order of eight has it: a run of a
+# handful of steps may be off by more than its estimates say, and one that is asked for less has to be nearer.
+WHOLE = 0.4
 # scipy's own least.
 LEAST_RELATIVE = 2.3e-14
 One = Callable[[float, list[float]], float]
@@ -57,7 +60,10 @@ class Stepper:
         self.lately: deque[float] = deque(maxlen=STEADY)
         self.begin_anew()
         self.nearest, self.tied = (math.inf, 0.0), False
-        self.longest = 100.0 * sizes.long / sizes.fast if system.contacts else math.inf
+        self.longest = min(
+            100.0 * sizes.long / sizes.fast if system.contacts else math.inf,
+            WHOLE * (tolerance / 1e-6) ** 0.125 * (self.scene.until or math.inf),
+        )
         self.falls = all(
             isinstance(force, Weight) for force in self.scene.forces if force not in self.scene.contacts
         )
