@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,10 +16,12 @@ from corollary.scenes import collision
 from corollary.scenes.catalogue import SCENES
 from corollary.scenes.definition import Setting, settle
 from corollary.scenes.forces.contact import Contact, smoothing_power
-from corollary.scenes.integrate import both_ways, contact_motion, row_motion
+from corollary.scenes.integrate import contact_motion, row_motion
+from corollary.scenes.integrate.lines import follow_lines
 from corollary.scenes.integrate.regularised import MOST_COMPILED
 from corollary.scenes.integrate.single_contact import MOST_STEPS
 from corollary.scenes.library import spheres
+from corollary.scenes.progress import part, with_bar
 from corollary.scenes.run import ROUNDING, BadSetting, two_runs
 from corollary.scenes.sound import refuse_tolerance, short_text
 
@@ -28,6 +29,7 @@ Array = NDArray[np.float64]
 OUTCOMES = np.array(["released", "missed", "sticks", "refused"])
 RELEASED, MISSED, STICKS, REFUSED = range(4)
 ONE_FOR_ALL = {"N", "q", "balls_in"}
+SHARES = (0.0, 0.4), (0.4, 1.0)  # of the coarser run, and of the finer
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,12 +53,13 @@ def ensemble(name: str, given: Mapping[str, Any], tolerance: float = 1e-9) -> En
     """Play the variants of `cradle` or `spheres`; any setting but N, q and balls_in is one value for all or an array of n (SI).
 
     A row of values (masses, gaps: N or N - 1; vA, vB: 2) is one line for all, or n lines. Each is followed twice, and the difference
-    is its error; with numba as one compiled loop, else in plain Python. Raises BadSetting.
+    is its error; with numba as a compiled loop, else in plain Python. Who waits for it at a terminal sees a bar. Raises BadSetting.
     """
     if name not in PLAYED:
         raise BadSetting(f"An ensemble is of {' or '.join(PLAYED)}, not of {name!r}; play others one by one.")
     refuse_tolerance(name, tolerance, 1e-13, 0.01)
-    with np.errstate(all="ignore"):  # what is no number is refused, variant by variant
+    # What is no number is refused, variant by variant.
+    with np.errstate(all="ignore"), with_bar(f"ensemble {name}"):
         return PLAYED[name](*_settings(name, given), two_runs(tolerance))
 
 
@@ -112,25 +115,6 @@ def _check(name: str, setting: Setting, values: Array) -> None:
         raise BadSetting(f"{name}: {setting.name} = {worst:g} cannot be.")
 
 
-def _kernel(module: str) -> tuple[Any, bool]:
-    if both_ways.available():
-        with suppress(ImportError):  # numba may be there and broken
-            return both_ways.compiled(module).follow_each, True
-    return both_ways.as_written(module).follow_each, False
-
-
-def _followed(module: str, arrays: list[Array], *rest: Any, room: tuple[int, int]) -> int:
-    """The kernel of a module on arrays that it changes; in plain Python on lists that are written back."""
-    kernel, compiled = _kernel(module)
-    if compiled:
-        return kernel(*arrays, *rest, np.zeros(room))
-    lists = [array.tolist() for array in arrays]
-    spent = kernel(*lists, *rest, np.zeros(room).tolist())
-    for array, changed in zip(arrays, lists, strict=True):
-        array[...] = changed
-    return spent
-
-
 def _cradle(settings: dict[str, Array], n: int, tolerances: tuple[float, float]) -> Ensemble:
     count, coming, q = (float(settings[key][0]) for key in ("N", "balls_in", "q"))
     count, coming = round(count), round(coming)
@@ -149,12 +133,13 @@ def _cradle(settings: dict[str, Array], n: int, tolerances: tuple[float, float])
     power = np.full(count - 1, smoothing_power(Contact(1.0, q)))
     runs: list[tuple[Array, ...]] = []
     spent = 0
-    for allowed in tolerances:
+    for allowed, share in zip(tolerances, SHARES, strict=True):
         y, deepest, hardest, seen = start.copy(), np.zeros_like(stiff), np.zeros_like(stiff), np.zeros((n, 4))
         arrays = [y, np.zeros(count - 1, dtype=bool), inverse, np.zeros(count), stiff, np.full(count - 1, q)]
         arrays += [np.zeros(count - 1), power, deepest, hardest, seen]
         room = row_motion.ROOM, 2 * count - 1
-        spent += _followed("row_motion", arrays, allowed, MOST_COMPILED, room=room)
+        with part(*share):
+            spent += follow_lines("row_motion", arrays, allowed, MOST_COMPILED, room=room)
         lasted, strains, openings, ends = seen.T
         runs.append((ends, openings, strains, y[:, ::2], lasted, deepest.max(axis=1), hardest.max(axis=1)))
     (ended, touched, _, *coarse), (ends, openings, strains, *fine) = runs
@@ -256,11 +241,12 @@ def _spheres(settings: dict[str, Array], n: int, tolerances: tuple[float, float]
     )
     runs: list[tuple[Array, ...]] = []
     smoothing, spent = smoothing_power(Contact(1.0, q)), 0
-    for allowed in tolerances:
+    for allowed, share in zip(tolerances, SHARES, strict=True):
         state, each = np.tile([0.0, 1.0, 1.0, 0.0, 0.0], (n, 1)), np.zeros((n, 3))
         room = contact_motion.ROOM, contact_motion.SIZE
         arrays = [state, groups, each]
-        spent += _followed("contact_motion", arrays, smoothing, allowed, MOST_STEPS, room=room)
+        with part(*share):
+            spent += follow_lines("contact_motion", arrays, smoothing, allowed, MOST_STEPS, room=room)
         overlaps, forces, ends = each.T
         stuck = (ends == contact_motion.STICKS) | ~meets
         turned = angle + state[:, contact_motion.TURN]

@@ -30,9 +30,9 @@ class RowOfBodies:
 class RowResult:
     """What a collision on a line led to.
 
-    `overlaps` and `forces` are the largest of each contact. `duration` runs from the first touch to the last opening; it is
-    infinite for bodies that stick. `strain` says how many times larger (in natural units) an error of a speed or an overlap comes out in
-    the moment of a slow touch or opening, where a model looked.
+    `overlaps` and `forces` are the largest of each contact, `left` are the gaps in the end, where a model tells. `duration` runs from the
+    first touch to the last opening; it is infinite for bodies that stick. `strain` says how many times larger (in natural units) an error
+    of a speed or an overlap comes out in the moment of a slow touch or opening, where a model looked.
     """
 
     velocities: tuple[float, ...]
@@ -43,6 +43,7 @@ class RowResult:
     evaluations: int
     openings: int = 0
     strain: float = 0.0
+    left: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +127,7 @@ def in_si(result: RowResult, units: Units) -> RowResult:
         duration=result.duration * units.time,
         overlaps=tuple([d * overlap for d in result.overlaps]),
         forces=tuple([f * force for f in result.forces]),
+        left=tuple([gap * overlap for gap in result.left]),
     )
 
 

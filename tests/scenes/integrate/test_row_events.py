@@ -52,6 +52,14 @@ def test_after_a_bounce_falling_back_is_another_story():
     assert first_touch([0.0, -0.1, 3.0], falls, 1e-14, False)[0] == 0
 
 
+def test_after_a_bounce_what_falls_back_before_others_meet_is_met_first():
+    """A ball thrown up with 1 m/s is back after 2/9.8 s; one above it comes with 3 m/s relative to it."""
+    falls = [0.0, 9.8, 9.8]
+    early, late = ([0.0, -0.0, 1.0, -gap, -2.0] for gap in (0.5, 1.0))
+    assert first_touch(early, falls, 1e-14, True) == (1, pytest.approx(0.5 / 3.0))
+    assert first_touch(late, falls, 1e-14, True) == (0, pytest.approx(2.0 / 9.8))
+
+
 def test_only_what_pushes_is_awake():
     line = RowOfBodies((1.0, 1.0), (0.0, 0.0), (0.0,), (SPHERE,))
     _, _, row = state_of(line)

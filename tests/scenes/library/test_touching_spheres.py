@@ -168,3 +168,61 @@ def test_spheres_too_soft_for_what_comes_from_afar_are_refused_where_they_meet()
             "touching_spheres",
             {"dx": 1e3, "dy": 0.0, "vA": (5.0, 0.0), "vB": (0.0, 0.0), "k": 1e-3, "t": 1e6},
         )
+
+
+@pytest.mark.parametrize("radii", [1e3, 1e5, 1e8])
+@pytest.mark.parametrize("g", [0.0, 9.8])
+def test_spheres_that_come_from_however_far_touch_as_near_ones_do(radii, g):
+    """Weight makes both alike faster on the way."""
+    near, far = (
+        run(
+            "touching_spheres",
+            {"dx": 0.05 * each, "dy": 0.03, "vA": (1.0, 0.0), "vB": (0.0, 0.0), "g": g, "t": 0.06 * each},
+        )
+        for each in (10.0, radii)
+    )
+    assert far.outcome == "released"
+    assert far.evaluations < 2 * near.evaluations
+    assert far.observed["duration"] == pytest.approx(near.observed["duration"], rel=1e-10)
+    assert far.observed["largest_overlap"] == pytest.approx(near.observed["largest_overlap"], rel=1e-10)
+    for i, (early, late) in enumerate(
+        zip(near.observed["velocities"], far.observed["velocities"], strict=True)
+    ):
+        fallen = g * 0.06 * (radii - 10.0) * (i % 2)
+        assert abs(early - fallen - late) <= near.errors["velocities"][i] + far.errors["velocities"][i]
+    assert max(far.errors["velocities"]) < 1e-12 + 2e-15 * g * 0.06 * radii
+
+
+@pytest.mark.parametrize(("before", "outcome"), [(1e-7, "missed"), (-1e-7, "released")])
+def test_whether_they_have_touched_by_then_is_told_from_afar(before, outcome):
+    """Head-on they touch after (1e6 - 0.1) s."""
+    there = {"dx": 1e6, "dy": 0.0, "vA": (1.0, 0.0), "vB": (0.0, 0.0)}
+    found = run("touching_spheres", there | {"t": 1e6 - 0.1 - before})
+    assert found.outcome == outcome
+    assert ("mean_force" in found.observed) == (outcome == "released")
+    if outcome == "released":
+        assert found.observed["largest_overlap"] == pytest.approx(1e-7, rel=1e-2)
+
+
+def test_spheres_that_do_not_touch_in_time_fall_without_a_step():
+    found = run("touching_spheres", {"dx": 1.0, "dy": 0.0, "vA": (0.0, 0.0), "vB": (-1.0, 1.0), "t": 0.5})
+    assert (found.outcome, found.evaluations, found.model) == ("missed", 0, "conservation")
+
+
+def test_spheres_at_rest_that_squeeze_each_other_have_no_energy_to_compare_with():
+    found = run("touching_spheres", {"dx": 0.09, "dy": 0.0, "vA": (0.0, 0.0), "vB": (0.0, 0.0), "t": 1.0})
+    known = run("spheres", {"mA": 0.2, "mB": 0.3, "R": 0.05, "k": 1.2e4, "q": 1.0, "eta": 0.0, "dx": 0.09, "dy": 0.0, "vA": (0.0, 0.0), "vB": (0.0, 0.0)})  # fmt: skip
+    assert "energy_ratio" not in found.observed
+    fallen = (0.0, 9.8, 0.0, 9.8)
+    assert found.observed["velocities"] == pytest.approx(
+        [v - f for v, f in zip(known.observed["velocities"], fallen, strict=True)], abs=1e-10
+    )
+
+
+def test_two_that_move_fast_together_and_slowly_toward_each_other_are_followed():
+    """What they squeeze is too little to see in their places."""
+    found = run(
+        "touching_spheres",
+        {"dx": 0.1, "dy": 0.0, "vA": (1.0, 1e-13), "vB": (1.0 - 1e-13, 0.0), "k": 1e9, "g": 0.0, "t": 1e-3},
+    )
+    assert found.observed["velocities"] == pytest.approx((1.0, 0.0, 1.0, 0.0), abs=2e-12)

@@ -148,6 +148,29 @@ def test_a_force_that_jumps_with_the_velocity_is_refused_as_what_it_is():
         play(rubbed(lambda t, x, v: (-0.5 * math.copysign(1.0, v[0]),)), {Observable.VELOCITIES})
 
 
+def test_it_is_refused_as_soon_as_the_velocity_stays_where_the_force_jumps():
+    asked = []
+
+    def push(t: float, x: object, v: tuple[float, ...]) -> tuple[float]:
+        asked.append(t)
+        return (-4.9 * math.copysign(1.0, v[0]),)
+
+    scene = Scene((Body(1.0, (0.0,), (2.0,)),), (ForceFunction(0, push),), until=5.0)
+    with pytest.raises(GuardFailed, match="jumps there with the velocity"):
+        play(scene, {Observable.VELOCITIES})
+    assert len(asked) < 15_000
+
+
+def test_a_velocity_that_only_passes_where_a_force_jumps_goes_on():
+    """Driven ten times as hard as it is braked: it turns ten times, in no time at all."""
+    drive = 5.0
+    force = ForceFunction(0, lambda t, x, v: (drive * math.cos(t) - 0.1 * drive * math.copysign(1.0, v[0]),))
+    scene = Scene((Body(1.0, (0.0,), (0.0,)),), (force,), until=31.0)
+    found = play(scene, {Observable.VELOCITIES})
+    assert abs(found.observed["velocities"][0]) < drive
+    assert found.errors["velocities"][0] < 1e-6 * drive
+
+
 def test_one_that_is_out_of_reach_for_being_fast_is_not_said_to_jump():
     with pytest.raises(GuardFailed, match="soften what is stiff"):
         play(rubbed(lambda t, x, v: (-1e16 * x[0],)), {Observable.VELOCITIES})

@@ -96,6 +96,7 @@ class LaidOut:
             evaluations=evaluations,
             openings=openings,
             strain=strain,
+            left=tuple([-overlap for overlap in state[1::2]]),
         )
 
     def _steps(self, tolerance: float, most: int) -> tuple[list[float], Seen, Conserved, Conserved]:

@@ -72,12 +72,12 @@ def inactive(y, touching, row, first, last, noise):
 def first_touch(y, falls, noise, bounced):
     """The contact that closes next and after how long (TIME: none does), every contact open.
 
-    After a bounce, bodies that only weight would bring back together count as released.
+    After a bounce, bodies that only weight would bring back together count as released, unless others are still to meet later.
     """
-    best, after = TIME, math.inf
+    best, after, falling, lands = TIME, math.inf, TIME, math.inf
     for j in range(len(falls) - 1):
         gap, closing, fall = max(-y[2 * j + 1], 0.0), y[2 * j] - y[2 * j + 2], falls[j + 1] - falls[j]
-        if closing <= noise and (bounced or fall <= 0.0):
+        if closing <= noise and fall <= 0.0:
             continue
         square = closing * closing + 2.0 * fall * gap
         if square < 0.0:
@@ -85,8 +85,13 @@ def first_touch(y, falls, noise, bounced):
         # The root free of cancellation, whichever sign the closing speed has.
         root = math.sqrt(square)
         wait = 2.0 * gap / (closing + root) if closing > 0.0 else (root - closing) / fall
-        if wait < after:
+        if closing <= noise and bounced:
+            if wait < lands:
+                falling, lands = j, wait
+        elif wait < after:
             best, after = j, wait
+    if lands < after < math.inf:
+        return falling, lands
     return best, after
 
 

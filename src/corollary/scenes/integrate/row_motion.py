@@ -165,9 +165,9 @@ def follow(y, touching, row, deepest, hardest, tolerance, most, room):
             if meeting == TIME:
                 outcome = RELEASED if began < math.inf else MISSED
                 return outcome, began, ended, openings, spent, max(strain, opens)
+            fly(y, touching, falls, meeting, wait)
             if began < math.inf:
                 strain = max(strain, (1.0 + wait) / max(y[2 * meeting] - y[2 * meeting + 2], noise))
-            fly(y, touching, falls, meeting, wait)
             time += wait
             variable, landing, lasted = TIME, False, begins
             first, last = 0, count

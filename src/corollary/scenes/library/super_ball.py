@@ -9,20 +9,15 @@ from corollary.scenes.collision import collide
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.falls_and_swings import fallen, flight
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.weight import Weight
-from corollary.scenes.measure import measured
-from corollary.scenes.motion.follow import Follower
 from corollary.scenes.row import RowOfBodies, RowResult
 from corollary.scenes.run import (
+    FINER,
     BadSetting,
     GuardFailed,
-    Observable,
     Observed,
     Run,
-    by_relative_errors,
     components,
 )
-from corollary.scenes.scene import Body, Scene
 
 SETTINGS = (
     Setting("mA", "mass of the lower ball", "kg", 0.6, above=0.0),
@@ -42,14 +37,12 @@ SETTINGS = (
         whole=True,
     ),
 )
-# Longer than the collisions take without weight; it hastens or delays them by far less.
-AFTER_ALL = 1.05
 # A share of the speed: far below what weight does, and where it does nothing.
-AS_FINE, NO_WEIGHT = 1e-6, 1e-10
-# As a share of the overlap, and what it does to velocities and times as a share of them: ten times as much at most.
-NO_GAP, BY_NO_GAP = 1e-11, 1e-10
+AS_FINE, NO_WEIGHT = 2e-8, 1e-10
 MOST_FLIGHTS = 1000.0  # of the lower ball before the upper one comes: more take too long
 SURELY = 1.001  # far more than runs are off, and overlaps add to ways
+# In roundings of the gap: overlaps that are less of it leave the upper ball's arrival open.
+LEAST_OVERLAP = 1e5
 
 FALLS_BACK = (
     "super_ball: with its weight the lower ball falls back to the floor before all touches are over, on an edge. "
@@ -69,7 +62,7 @@ def play(settings: Settings, tolerance: float, *, in_steps: bool = False) -> Run
     line = RowOfBodies((math.inf, ma, mb), (0.0, -speed, -speed), (0.0, gap), (Contact(k, q), Contact(k, q)))
     found = collide(line, tolerance, in_steps=in_steps)
     if one(settings, "weighed"):
-        return _weighed(line, found.result, g, gap, tolerance, in_steps=in_steps)
+        return _weighed(line, found.result, g, gap, tolerance, in_steps=in_steps)[0]
     _, lower, upper = found.result.velocities
     observed: dict[str, Observed] = {
         "velocities": (lower, upper),
@@ -100,9 +93,13 @@ def _beside_weight(run: Run, line: RowOfBodies, free: RowResult, g: float, gap: 
     Raises GuardFailed where weight makes another story of it.
     """
     try:
-        weighed = _weighed(line, free, g, gap, AS_FINE)
+        weighed, touches = _weighed(line, free, g, gap, AS_FINE)
     except BadSetting:  # so soft that nothing is left of the example
         return run
+    if touches > free.openings:
+        raise GuardFailed(
+            f"super_ball: without weight bodies touch {free.openings} times, with it {touches} times. Set weighed=1, or change a mass a little."
+        )
     measured = dict(run.measured)
     for name, with_weight in weighed.measured.items():
         without = measured[name]
@@ -114,8 +111,8 @@ def _beside_weight(run: Run, line: RowOfBodies, free: RowResult, g: float, gap: 
 
 def _weighed(
     line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance: float, *, in_steps: bool = False
-) -> Run:
-    """The same with weight, followed until all touches are over; `free` is what comes of it without.
+) -> tuple[Run, int]:
+    """The same with weight, followed until all touches are over, and how many there are; `free` is what comes of it without.
 
     Energy gives each height: it does not change as the balls fly on, nor when the floor turns the lower one round again.
     """
@@ -129,76 +126,41 @@ def _weighed(
         raise GuardFailed(
             f"super_ball: the lower ball bounces some {flights:.0f} times before the upper one comes. Make the gap smaller."
         )
-    # Balls without a gap touch as they fall, but what counts begins at the floor: a gap of no account keeps them apart until then.
-    apart = max(gap, NO_GAP * lift)
-    # As small as they may be without reaching through each other: places far larger than the overlaps would cost digits.
-    radius = 4.0 * (lift + gap)
-    at_touch = 0.0, radius, 3.0 * radius + apart
-    # They are let go where they can be seen to touch: a little above the floor, and that much slower.
-    early = -math.sqrt(speed**2 - 2.0 * g * lift)
-    begin = at_touch[0], at_touch[1] + lift, at_touch[2] + lift
-    bodies = tuple(
-        Body(m, (y,), (early if y else 0.0,), radius if y else 0.0)
-        for m, y in zip(line.masses, begin, strict=True)
-    )
-    falls = 2.0 * lift / (speed - early)
-    end = AFTER_ALL * free.duration + falls + lift / speed
-    balls = Scene(bodies, (line.contacts[0], Weight(g)), until=end, name="super_ball")
-    _refuse_far(balls, line.masses[2] / line.masses[1], 2.0 * g * gap / speed**2, tolerance)
-    seen = {Observable.VELOCITIES, Observable.DURATION, Observable.TRAJECTORY}
-    why = "weight and both contacts at once: Newton's second law, step by step"
-    run = measured(balls, seen, tolerance, why, times=(end,))
-    velocities, places = run.observed["velocities"], run.observed["trajectory"]
-    assert isinstance(velocities, tuple)
-    assert isinstance(places, tuple)
-    if places[1] < radius or places[2] - places[1] < 2.0 * radius:
-        raise GuardFailed(
-            "super_ball: with their weight the balls still touch when all should be over. Raise k, or change the gap."
-        )
-    if velocities[1] > velocities[2]:
-        raise GuardFailed(
-            "super_ball: with their weight the lower ball catches the upper one up in flight, on an edge. Change a mass a little."
-        )
-    heights = tuple(
-        y - start + _risen(abs(v), speed**2 / g, g, in_steps)
-        for y, start, v in zip(places, at_touch, velocities, strict=True)
-    )
-    # From the last opening to the end they flew, and slowed down, freely.
-    lasts = components(run.observed["duration"])[0]
-    left = tuple(v + g * (end - falls - lasts) for v in velocities[1:])
-    # One as slow as that may have been back on the floor within the time that was watched.
-    if 2.0 * left[0] < g * lasts:
-        raise GuardFailed(FALLS_BACK)
-    observed: dict[str, Observed] = {
-        "velocities": left,
-        "heights": heights[1:],
-        "duration": run.observed["duration"],
-    }
-    off = BY_NO_GAP if apart > gap else 0.0
-    fast, far = run.measured["velocities"], run.measured["trajectory"]
-    highest = fast.size**2 / (2.0 * g)  # at their greatest speed thrown straight up
-    error = fast.relative_error + off
+    _refuse_far(line.masses[2] / line.masses[1], 2.0 * g * gap / speed**2, lift / gap if gap else math.inf)
+    heavy = replace(line, weight=g)
+    try:
+        found = collide(heavy, tolerance / FINER, in_steps=in_steps)
+    except GuardFailed:  # where powers of overlaps are rough no steps keep the energy so well
+        found = collide(heavy, tolerance, in_steps=in_steps)
+    result = found.result
+    left = result.velocities[1:]
+    places = result.left[0], result.left[0] + result.left[1] - gap
+    heights = tuple(y + _risen(abs(v), speed**2 / g, g, in_steps) for y, v in zip(places, left, strict=True))
+    observed: dict[str, Observed] = {"velocities": left, "heights": heights, "duration": result.duration}
+    fast = max(speed, *map(abs, left))
+    highest = fast**2 / (2.0 * g)  # at their greatest speed thrown straight up
+    error = found.errors["velocities"]
+    away = (error + found.errors["duration"]) * fast * result.duration
     errors = {
         "velocities": error,
-        "heights": 2.0 * error + far.relative_error * far.size / highest,
-        "duration": run.relative_error("duration") + off,
+        "heights": 2.0 * error + away / highest,
+        "duration": found.errors["duration"],
     }
-    scales = {"velocities": fast.size, "heights": highest}
-    return by_relative_errors(
-        observed, errors, run.model, run.why, run.evaluations, "released", scales, run.warnings
-    )
+    return found.observed(observed, {"velocities": fast, "heights": highest}, errors), result.openings
 
 
-def _refuse_far(balls: Scene, ratio: float, far: float, tolerance: float) -> None:
+def _refuse_far(ratio: float, far: float, overlap: float) -> None:
     """Raises GuardFailed where nothing need be followed to know it: `ratio` is that of the upper mass to the lower, `far` the gap in h0.
 
     In units of the time and speed of the fall from h0: the lower ball, which rises no higher than it fell, is not met before sqrt(far) - 1.
-    With all the energy there is it leaves the last touch with sqrt(1 + ratio (1 + far)) at most, and is back after twice that.
+    With all the energy there is it leaves the last touch with sqrt(1 + ratio (1 + far)) at most, and is back after twice that. BadSetting
+    where the largest `overlap`, as a part of the gap, leaves it open when they meet: then weight is left out.
     """
     if math.sqrt(far) - 1.0 > SURELY * 2.0 * math.sqrt(1.0 + ratio * (1.0 + far)):
-        Follower(
-            balls, tolerance
-        )  # BadSetting where places do not show the contacts: then weight is left out
+        if overlap < LEAST_OVERLAP * 2.0**-52:
+            raise BadSetting(
+                "super_ball: such hard balls so far apart leave open when they meet; make the gap smaller."
+            )
         raise GuardFailed(FALLS_BACK)
 
 

@@ -5,11 +5,19 @@ from __future__ import annotations
 import math
 
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
-from corollary.scenes.forces.weight import Weight
 from corollary.scenes.library.spheres import pair_of
 from corollary.scenes.measure import measured
-from corollary.scenes.models.pair import refuse_too_soft
-from corollary.scenes.run import BadSetting, Observable, Run, by_relative_errors
+from corollary.scenes.models.meeting import Meeting, met_within
+from corollary.scenes.models.pair import Pair, loaded_speed, refuse_too_soft
+from corollary.scenes.run import (
+    ROUNDING,
+    BadSetting,
+    Observable,
+    Observed,
+    Run,
+    by_relative_errors,
+    components,
+)
 from corollary.scenes.scene import Body, Scene
 
 SETTINGS = (
@@ -28,6 +36,10 @@ SETTINGS = (
 )
 # So many times the drag alone would have stopped the spheres: steps as short as that would not come to an end.
 MOST_FADING = 1e4
+# In roundings of the reach: what is squeezed less is told only beside the speeds that both have together.
+LEAST_SQUEEZE = 1e5
+APART = "they do not touch while they are watched: each falls alone"
+TOUCH = "before the touch nothing acts but weight, and who falls with them sees none: the contact alone, step by step"
 
 
 def play(settings: Settings, tolerance: float) -> Run:
@@ -35,57 +47,88 @@ def play(settings: Settings, tolerance: float) -> Run:
 
     `duration` is how long they touched while they were watched.
     `momentum_change` (x, y) is that of both together; `mean_force` (x, y) is that of B on A while they were watched, without the
-    weight. Each is there only if its force is.
+    weight. Each is there only if its force is, and the energy only if something moved at the start.
     """
     pair = pair_of(settings, "touching_spheres")
-    ma, mb, reach, contact, (va, vb) = pair.mass_a, pair.mass_b, pair.reach, pair.contact, pair.velocities
     g, t = numbers(settings, "g", "t")
-    if contact.eta * t * (1.0 / ma + 1.0 / mb) > MOST_FADING:
+    ma, mb, (va, vb) = pair.mass_a, pair.mass_b, pair.velocities
+    met = met_within(pair, t)
+    run, pushed = _followed(pair, met, g, tolerance) if met else (None, (0.0,) * 4)
+    falls = 0.0, -g * t, 0.0, -g * t
+    after = tuple(map(math.fsum, zip((*va, *vb), pushed, falls, strict=True)))
+    if not all(map(math.isfinite, after)):
+        raise OverflowError
+    fast = max(map(abs, (*va, *vb, *pushed, *falls)))
+    off = ROUNDING * fast + (max(components(run.measured["velocities"].error)) if run else 0.0)
+    heavy, weight = max(ma, mb), (ma + mb) * g
+    observed: dict[str, Observed] = {
+        "velocities": after,
+        "duration": run.observed["duration"] if run else 0.0,
+        "largest_overlap": run.observed["largest_overlap"] if run else 0.0,
+        "momentum": (ma * va[0] + mb * vb[0], ma * va[1] + mb * vb[1] - weight * t),
+    }
+    errors = {name: run.relative_error(name) if run else 0.0 for name in ("duration", "largest_overlap")}
+    scales = {name: run.measured[name].size if run else 0.0 for name in errors}
+    errors["velocities"], scales["velocities"] = off / fast if fast else 0.0, fast
+    errors["momentum"], scales["momentum"] = ROUNDING, 2.0 * heavy * fast
+    had, has = (
+        ma * math.hypot(*a) ** 2 + mb * math.hypot(*b) ** 2 for a, b in ((va, vb), (after[:2], after[2:]))
+    )
+    if had:
+        observed["energy_ratio"] = ratio = has / had
+        # The energy goes with the squares of the velocities, those of the body that moves fast too.
+        swift = ma * math.hypot(*after[:2]) + mb * math.hypot(*after[2:])
+        scales["energy_ratio"] = ratio or 1.0
+        errors["energy_ratio"] = 2.0 * swift * off / had / scales["energy_ratio"] + ROUNDING
+    touched = run is not None and components(run.observed["largest_overlap"])[0] > 0.0
+    if touched:
+        observed["mean_force"] = push = ma * pushed[0] / t, ma * pushed[1] / t
+        scales["mean_force"] = max(map(abs, push)) or heavy * fast / t
+        errors["mean_force"] = off * heavy / t / scales["mean_force"]
+    if g:
+        observed["momentum_change"], errors["momentum_change"] = (0.0, -weight * t), ROUNDING
+    if run is None:
+        return by_relative_errors(observed, errors, "conservation", APART, 0, "missed", scales)
+    return by_relative_errors(
+        observed,
+        errors,
+        run.model,
+        run.why,
+        run.evaluations,
+        "released" if touched else "missed",
+        scales,
+        run.warnings,
+    )
+
+
+def _followed(pair: Pair, met: Meeting, g: float, tolerance: float) -> tuple[Run, tuple[float, ...]]:
+    """The contact, B on the first axis as it begins, seen from the centre of mass; and what it changes in velocities (A x, A y, B x, B y).
+
+    Raises BadSetting, and as `measured` does.
+    """
+    ma, mb, reach, contact = pair.mass_a, pair.mass_b, pair.reach, pair.contact
+    if contact.eta * met.left * (1.0 / ma + 1.0 / mb) > MOST_FADING:
         raise BadSetting(
             "touching_spheres: the drag has stopped the spheres long before the time t; lower eta, or t."
         )
-    bodies = Body(ma, (0.0, 0.0), va, 0.5 * reach, "A"), Body(mb, pair.apart, vb, 0.5 * reach, "B")
-    forces = (contact, Weight(g)) if g else (contact,)
-    seen = {Observable.VELOCITIES, Observable.DURATION, Observable.LARGEST_OVERLAP, Observable.ENERGY_RATIO}
-    why = "contact and weight act at once: Newton's second law, step by step"
-    run = measured(Scene(bodies, forces, until=t, name="touching_spheres"), seen, tolerance, why)
-    after, overlap = run.observed["velocities"], run.observed["largest_overlap"]
-    assert isinstance(after, tuple)
-    assert isinstance(overlap, float)
-    refuse_too_soft(overlap, reach)
-    observed, errors = run.observed, {name: each.relative_error for name, each in run.measured.items()}
-    scales = {name: each.size for name, each in run.measured.items()}
-    on_a, on_b = (
-        (m * (v - u), m * (w - s)) for m, (u, s), (v, w) in ((ma, va, after[:2]), (mb, vb, after[2:]))
+    speed = max(math.hypot(met.along, met.across), loaded_speed(pair, met.overlap))
+    squeeze = (pair.mass * speed / contact.k * speed) ** (1.0 / (contact.q + 1.0))
+    drift = 0.0
+    if squeeze < LEAST_SQUEEZE * math.ulp(reach):
+        drift = max(*(math.hypot(*v) for v in pair.velocities), min(math.sqrt(reach * g), g * met.left))
+    shares = -mb / (ma + mb), ma / (ma + mb)
+    bodies = tuple(
+        Body(m, (x, 0.0), (part * met.along, part * met.across + drift), 0.5 * reach, name)
+        for m, x, part, name in zip((ma, mb), (0.0, reach - met.overlap), shares, "AB", strict=True)
     )
-    # Momenta are differences: what rounding or steps leave of a velocity may be much of a small change.
-    off = errors["velocities"] * scales["velocities"]
-    error_estimate = off * max(ma, mb)
-    thrown = scales["velocities"] * max(ma, mb)
-    # The energy goes with the squares of the velocities, those of the body that moves fast too.
-    swift = ma * math.hypot(*after[:2]) + mb * math.hypot(*after[2:])
-    had = 0.5 * (ma * math.hypot(*va) ** 2 + mb * math.hypot(*vb) ** 2)
-    ratio = observed.get("energy_ratio")
-    if isinstance(ratio, float) and ratio > 0.0:
-        errors["energy_ratio"] = max(errors["energy_ratio"], swift * off / had / scales["energy_ratio"])
-    observed["momentum"] = ma * after[0] + mb * after[2], ma * after[1] + mb * after[3]
-    errors["momentum"], scales["momentum"] = _share(2.0 * error_estimate, observed["momentum"], thrown)
-    if overlap > 0.0:
-        observed["mean_force"] = push = on_a[0] / t, (on_a[1] + ma * g * t) / t
-        errors["mean_force"], scales["mean_force"] = _share(error_estimate / t, push, thrown / t)
-    if g:
-        observed["momentum_change"] = change = on_a[0] + on_b[0], on_a[1] + on_b[1]
-        errors["momentum_change"], scales["momentum_change"] = _share(2.0 * error_estimate, change, thrown)
-    outcome = "released" if overlap > 0.0 else "missed"
-    return by_relative_errors(
-        observed, errors, run.model, run.why, run.evaluations, outcome, scales, run.warnings
+    balls = Scene(bodies, (contact,), until=met.left, name="touching_spheres")
+    run = measured(
+        balls, {Observable.VELOCITIES, Observable.DURATION, Observable.LARGEST_OVERLAP}, tolerance, TOUCH
     )
-
-
-def _share(error_estimate: float, of: tuple[float, ...], natural: float) -> tuple[float, float]:
-    """An error in units of a value's size, and that: of what is zero, its natural size."""
-    size = max(map(abs, of)) or natural
-    return error_estimate / size, size
+    refuse_too_soft(components(run.observed["largest_overlap"])[0], reach)
+    then, (x, y) = components(run.observed["velocities"]), met.toward
+    changes = [(then[2 * i] - b.velocity[0], then[2 * i + 1] - b.velocity[1]) for i, b in enumerate(bodies)]
+    return run, tuple(each for u, w in changes for each in (u * x - w * y, u * y + w * x))
 
 
 SCENE = SceneDefinition("two spheres push each other while both fall", SETTINGS, play)

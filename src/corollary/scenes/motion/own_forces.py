@@ -100,8 +100,8 @@ def _felt(scene: Scene, forces: list[Force], stretch: Stretch, parts: Array) -> 
     return np.array(rows) if all(math.isfinite(a) for row in rows for a in row) else None
 
 
-def remedy(scene: Scene, time: float, state: State, fast: float) -> str:
-    """What to do where steps become too short: such a force may jump where a velocity is, of speeds of about `fast` (m/s)."""
+def jumps(scene: Scene, time: float, state: State, fast: float) -> bool:
+    """Whether such a force jumps where a velocity is, of speeds of about `fast` (m/s): there no step gets far."""
     forces, count = _own(scene), scene.axes * len(scene.bodies)
 
     def change(j: int, share: float) -> float:
@@ -111,7 +111,14 @@ def remedy(scene: Scene, time: float, state: State, fast: float) -> str:
         )
         return max(abs(b - a) for a, b in zip(slower, faster, strict=False))  # one may have no value
 
-    if forces and any(change(j, NARROW) > 0.5 * change(j, WIDE) > 0.0 for j in range(count, 2 * count)):
+    return bool(forces) and any(
+        change(j, NARROW) > 0.5 * change(j, WIDE) > 0.0 for j in range(count, 2 * count)
+    )
+
+
+def remedy(scene: Scene, time: float, state: State, fast: float) -> str:
+    """What to do where steps become too short; speeds are about `fast` (m/s)."""
+    if jumps(scene, time, state, fast):
         return (
             "A force of your own jumps there with the velocity, as dry friction does: let Friction or a rough wall do that, "
             "or write a Force with events."

@@ -21,7 +21,7 @@ from corollary.scenes.motion.isolation import (
     first_fall,
     root_of,
 )
-from corollary.scenes.motion.own_forces import refuse_failing, remedy
+from corollary.scenes.motion.own_forces import jumps, refuse_failing, remedy
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Mode, Slope, System
@@ -32,6 +32,8 @@ MOST_STEPS, MOST_HURRIED, SOON = 60_000, 20_000, 10
 # After so many steps without an event it is asked whether they lead anywhere; where those before them were long enough, only after more:
 # a short kick is over by then.
 STEADY, PATIENT = 250, 2000
+# So many steps one after the other end where a force jumps: a velocity that only passes there makes some twenty.
+STAYS = 100
 # From this product of step and rate on, what fades decides how long an explicit step may be: beyond 6.1 it would grow (E. Hairer,
 # S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, and the program DOP853), which the method's own estimate of its
 # error takes too lightly. What fades is remembered from a smaller product on: soon it is too small to be seen in the slopes, and would
@@ -74,6 +76,7 @@ class Stepper:
     def begin_anew(self) -> None:
         """Something has happened: nothing is known of how fast things fade now."""
         self.steady, self.held_down, self.rate, self.stiff = 0, 0, 0.0, False
+        self.at_jump = 0
         self.implicit, self.patience = 0, TRY_AGAIN
         self.seen = [0.0] * 3
         self.lately.clear()
@@ -181,7 +184,11 @@ class Stepper:
             return False
         done = (self.scene.until or 0.0) - left
         if self.steady < PATIENT and left * self.steps < self.left * done:
-            return False
+            # A short kick is over soon; a velocity that forces drive to where one of them jumps stays there.
+            at_jump = jumps(self.scene, done, stretch.after, self.sizes.fast)
+            self.at_jump = self.at_jump + 1 if at_jump else 0
+            if self.at_jump < STAYS:
+                return False
         raise GuardFailed(
             f"{self.scene.name}: with steps of {last:.2g} s the end, {left:.3g} s ahead, is out of reach. "
             + remedy(self.scene, done, stretch.after, self.sizes.fast)
