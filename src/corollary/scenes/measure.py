@@ -38,6 +38,10 @@ FEWER = 0.65
 FINEST, TIGHTER = 2e-14, 1e-2
 BY_TOUCH = 10.0
 """So many times what a step may be off is what a slight touch, or the root that a parting ends in, has cost: by benchmarks/calibration.py."""
+ROUNDED = 2.0
+"""So many roundings of a place show in an overlap, whose force hands them on."""
+BOUNCED = 0.2
+"""Such a part of what steps may be off are two of the bounces that are left out."""
 CHAOTIC = 1e6
 """From this condition on a change of the data by CHANGED comes out as large as the value: it is said."""
 
@@ -148,7 +152,7 @@ def measured(
         rounding += 1e-14 * len(right.happenings) * max(condition or 1.0, 1.0) * size
         # And squeezes bodies as rounding of their places lets it.
         if contact_span(right):
-            rounding += math.ulp(right.long) / right.deep * max(condition or 1.0, 1.0) * size
+            rounding += ROUNDED * math.ulp(right.long) / right.shallow * max(condition or 1.0, 1.0) * size
         # One that cannot be followed leaves nothing certain.
         beside = [
             apart_by(look(scene, path, what, times), value) if path else (size,) * len(apart)
@@ -231,7 +235,7 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
         span = contact_span(path)
         return span.slack if span else 400.0 * math.ulp(path.long) / path.fast  # even where they close slowly
     if what is Observable.LARGEST_OVERLAP:  # spheres that begin one rounding apart may touch
-        return 4.0 * math.ulp(path.long)
+        return 4.0 * ROUNDED * math.ulp(path.long)
     if what is Observable.TURNING_POINTS and path.stretches and flat(scene, path):
         return near(scene, path)
     if what is Observable.PERIOD:
@@ -239,7 +243,7 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
     if what in (Observable.VELOCITIES, Observable.SPINS):
         return path.dropped + path.astray
     if what is Observable.TRAJECTORY:
-        return path.astray * path.time
+        return path.astray * path.time + BOUNCED * len(path.rests) * path.allowed
     if what in (Observable.IMPULSE, Observable.MOMENTUM):
         return (path.dropped + path.astray) * max(
             (b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0

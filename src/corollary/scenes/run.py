@@ -69,7 +69,7 @@ MEANING: dict[Observable, str] = {
     Observable.VELOCITIES: "of every body at the end: after the last opening, or at the time asked for (m/s)",
     Observable.SPINS: "of every body at the end (rad/s, counter-clockwise); zero for bodies that nothing turns",
     Observable.DURATION: "from the moment of the first touch to that of the last opening (s), not counted in samples",
-    Observable.LARGEST_OVERLAP: "the largest there is at any moment between any two bodies, none if they never touch (m)",
+    Observable.LARGEST_OVERLAP: "the largest there is at any moment between any two bodies, none if they never touch (m); with a point only where a contact acts",
     Observable.PEAK_FORCE: "the largest contact force there is at any moment between any two bodies, drag included, friction of surfaces left out (N)",
     Observable.ENERGY_RATIO: "kinetic energy at the end over that at the start",
     Observable.TURNING_POINTS: "the smallest and the largest of the distances from the origin at which the first body turns back (m): one if "

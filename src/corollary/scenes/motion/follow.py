@@ -15,7 +15,7 @@ from corollary.scenes.motion.modes import Moment
 from corollary.scenes.motion.own_forces import overlooked
 from corollary.scenes.motion.path import Happening, Stretch, Trajectory
 from corollary.scenes.motion.reversal import turned
-from corollary.scenes.motion.sizes import sizes_of
+from corollary.scenes.motion.sizes import least_squeeze, sizes_of
 from corollary.scenes.motion.steps import Stepper
 from corollary.scenes.motion.system import Mode, Slope, System
 from corollary.scenes.motion.ties import shift_all
@@ -49,6 +49,7 @@ class Follower:
         self.path.allowed, self.path.near = tolerance * self.sizes.place, self.sizes.doubt
         self.path.fast, self.path.long = self.sizes.fast, self.sizes.long
         self.path.deep = self.sizes.deep if self.system.contacts else math.inf
+        self.path.shallow = least_squeeze(self.system, self.sizes.fast)
         self.steps, self.pace = Stepper(self.system, self.sizes, tolerance, share), Pace()
         refuse_bad_start(self.system, self.path.state, self.sizes)
         self.energy: float | None = None
@@ -188,7 +189,7 @@ class Follower:
         for piece in pieces:
             self._add(piece)
         speed, near = self.steps.falling(one, stretch, part), self.tolerance * self.sizes.place
-        slack = (near + 4.0 * math.ulp(self.sizes.long)) / speed if speed else 0.0
+        slack = (near + 16.0 * math.ulp(self.sizes.long)) / speed if speed else 0.0
         self.steps.begin_anew()
         if guard.kind == "hit":  # a wall's speed is known as well as the time is
             driven, now = self.system.constraints[guard.number].driven, self.path.time

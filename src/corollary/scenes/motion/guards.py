@@ -186,7 +186,7 @@ class Guards:
         def value(time: float, y: State) -> float:
             return sign * inside(seen_from(self.system.scene, y, a, b)[0], reach) + blur
 
-        self._add(Guard(kind, number, f"bodies {a} and {b}", late), value)
+        self._add(Guard(kind, number, f"bodies {a} and {b}", self.sizes.blur + late), value)
 
     def _begins_at(self, a: int, b: int, reach: float) -> bool:
         """Whether two bodies start as near to a touch as touches are shifted: they are there, and cannot come later."""

@@ -106,13 +106,14 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
                 _largest(lambda y, a=a, b=b: overlap(scene, y, a, b)[0], touching)
                 for _, a, b, touching in served
             ]
-            # Bodies that pass through each other on purpose overlap as well.
+            # Bodies that pass through each other on purpose overlap as well; with a point that no contact serves nothing does.
+            seen = [(a, b) for a, b in pairs(scene) if (a, b) in chosen or _solid(scene, a, b)]
             passed = [
                 _largest(lambda y, a=a, b=b: overlap(scene, y, a, b)[0], path.stretches)
-                for a, b in pairs(scene)
+                for a, b in seen
                 if (a, b) not in chosen
             ]
-            at_start = [overlap(scene, start_of(scene), a, b)[0] for a, b in pairs(scene)]
+            at_start = [overlap(scene, start_of(scene), a, b)[0] for a, b in seen]
             return max([0.0, *found, *passed, *at_start])
         case Observable.PEAK_FORCE:
             served = _served(scene, path)
@@ -153,6 +154,10 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
             return tuple(x for time in times for x in state_at(scene, path, time)[:count])
         case _:
             assert_never(what)
+
+
+def _solid(scene: Scene, a: int, b: int) -> bool:
+    return min(scene.bodies[a].radius, scene.bodies[b].radius) > 0.0
 
 
 def _period(scene: Scene, path: Trajectory, returns: Sequence[Turn]) -> float:

@@ -154,6 +154,8 @@ class Trajectory:
     fast: float = 0.0
     long: float = 0.0
     deep: float = math.inf
+    shallow: float = math.inf
+    """How deep (m) at least bodies squeeze each other where one of them is fast."""
     settled: bool = False
     fades: bool = False
     turned: list[Turn] | None = None

@@ -27,10 +27,12 @@ def shares(
 
     The error of a single component may pass through zero between two tolerances; that of a body's place and velocity together does
     not. For what is not a number of each body: the largest, in units of the sizes of the scene. What fades for ever is given up at
-    other moments by both, and compared at the earlier one.
+    other moments by both, and compared at the earlier one; what flies apart at the later one.
     """
     long, fast, axes = sizes[Observable.TRAJECTORY], sizes[Observable.VELOCITIES], scene.axes
-    ends = min(rough.time, right.time) if rough.settled and right.settled else None
+    ends = None
+    if scene.until is None:
+        ends = (min if rough.settled and right.settled else max)(rough.time, right.time)
 
     def spread(time: float | None) -> list[float]:
         first, second = (p.state if time is None else state_at(scene, p, time) for p in (rough, right))

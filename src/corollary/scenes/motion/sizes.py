@@ -94,10 +94,22 @@ def _own(scene: Scene, rub: Rub, y: list[float], gains: list[float], brief: floa
     return max(fast, math.hypot(*rub.driven), _gets(long, gained, scene.until))
 
 
+def least_squeeze(system: System, fast: float) -> float:
+    """How deep (m) two bodies squeeze each other at least where they meet as `fast` (m/s): spring or dashpot stops them; infinite for no contacts."""
+    found = math.inf
+    for force, a, b in system.contacts:
+        found = min(found, _depth(system.scene, fast, force, a, b))
+        if isinstance(force, Contact) and force.eta > 0.0:
+            found = min(found, _reduced(system.scene, a, b) * fast / force.eta)
+    return found
+
+
+def _reduced(scene: Scene, a: int, b: int) -> float:
+    return 1.0 / (1.0 / scene.bodies[a].mass + 1.0 / scene.bodies[b].mass)
+
+
 def _depth(scene: Scene, fast: float, force: ContactForce, a: int, b: int) -> float:
     """About how deep two bodies squeeze each other."""
-    first, second = scene.bodies[a], scene.bodies[b]
-    mass = 1.0 / (1.0 / first.mass + 1.0 / second.mass)
     if isinstance(force, Contact):
-        return (mass * fast**2 / force.k) ** (1.0 / (force.q + 1.0))
-    return 1e-2 * (first.radius + second.radius)
+        return (_reduced(scene, a, b) * fast**2 / force.k) ** (1.0 / (force.q + 1.0))
+    return 1e-2 * (scene.bodies[a].radius + scene.bodies[b].radius)
