@@ -5,6 +5,9 @@ import math
 import pytest
 
 from corollary.scenes.forces.contact import Contact
+from corollary.scenes.forces.rod import Rod
+from corollary.scenes.forces.wall import HardWall
+from corollary.scenes.forces.weight import Weight
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene
@@ -47,3 +50,12 @@ def test_a_point_that_no_contact_serves_is_not_overlapped(nail):
     scene = Scene(bodies, (Contact(stiffness, 1.0, chosen=((0, 1),)),), until=1.0)
     found = play(scene, {O.LARGEST_OVERLAP}).measured["largest_overlap"]
     assert abs(found.value - speed * math.sqrt(0.5 * mass / stiffness)) <= found.error < 1e-11
+
+
+@pytest.mark.parametrize("restitution", [0.3, 0.5, 0.8, 1.0])
+def test_a_pendulum_that_is_put_back_on_its_rod_hits_its_wall_once(restitution):
+    """The second hit, at once, is of rounding: it is no other order of what happens."""
+    nail, bob = Body(math.inf, (0.0, 0.0), (0.0, 0.0)), Body(0.2, (-0.6, -0.56), (0.0, 0.0), 0.044)
+    wall = HardWall((-1.0, 0.0), -0.295, restitution=restitution, only=(1,))
+    scene = Scene((nail, bob), (Rod((0, 1)), Weight(9.8), wall), until=1.2)
+    assert play(scene, {O.VELOCITIES}, 1e-6).warnings == ()

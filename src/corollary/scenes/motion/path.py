@@ -183,7 +183,8 @@ class Trajectory:
         """What happens, in turn: hits, and what touches, holds or sticks as soon as that is another.
 
         The direction of a slip in a plane is looked at now and again, and a force may go by the side of a place or the sign of a speed:
-        nothing happens there. Nor does anything come of what holds for no time, while bodies that are tied stop one after the other.
+        nothing happens there. Nor does anything come of what holds for no time, while bodies that are tied stop one after the other, or of a
+        second hit at once, of a body that is put back on what it is tied to.
         Bodies that part together still count as touching: errors decide when their overlap is used up.
         """
         modes = [*(stretch.mode for stretch in self.stretches), self.mode]
@@ -191,10 +192,13 @@ class Trajectory:
         parted: dict[str, bool] = {}
         holds = _holding(modes[0], parted) if modes[0] else None
         ends = [*(each.time for each in self.happenings[1:]), math.inf]
+        hit, again = -math.inf, self.near / (self.fast or math.inf)
         for happening, end in zip(self.happenings, ends, strict=False):
             parted[happening.what] = happening.together
             if happening.what.startswith("hit"):
-                found.append(happening.what)
+                if found[-1:] != [happening.what] or happening.time - hit > again:
+                    found.append(happening.what)
+                hit = happening.time
             mode = modes[happening.stretch]
             lasts = end - happening.time > BRIEF * happening.time
             if mode and lasts and (now := _holding(mode, parted)) != holds:
