@@ -48,3 +48,8 @@ def inside(apart: Sequence[float], reach: float) -> float:
 def nothing_moves(first: Body, second: Body) -> bool:
     """Whether both are walls: what acts between them turns them at most."""
     return math.isinf(min(first.mass, second.mass))
+
+
+def loose(bodies: Sequence[Body]) -> list[int]:
+    """Which of the bodies forces can move."""
+    return [i for i, body in enumerate(bodies) if not math.isinf(body.mass)]

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.body import inside
+from corollary.scenes.body import inside, loose
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, Event, Force, Pushes, Scene, State, bounced, place, velocity
 from corollary.scenes.sound import refuse_below_zero
@@ -40,7 +40,7 @@ class Well(Force):
             raise BadSetting(
                 f"{scene.name}: the Well has d = {self.d:g} m and b = {self.b:g} m, and its core, at b - d, is to be beyond the origin: lower d."
             )
-        for i in _felt_by(scene):
+        for i in loose(scene.bodies):
             if math.hypot(*scene.bodies[i].place) < self.wall:
                 raise BadSetting(
                     f"{scene.name}: body {i} starts inside the core of the Well; b - d = {self.wall:g} m from the origin, or farther, is right."
@@ -52,7 +52,7 @@ class Well(Force):
         They feel it to the end of the step: the stages of a step that ends at the edge reach over it, and a force that jumps within
         a step would cost the method its order.
         """
-        for i in _felt_by(scene):
+        for i in loose(scene.bodies):
             if inside(place(scene, since, i), self.edge) > 0.0:
                 x = place(scene, state, i)
                 r = math.hypot(*x)
@@ -60,7 +60,7 @@ class Well(Force):
 
     def potential(self, scene: Scene, state: State) -> float:
         """Zero at the bottom of the well."""
-        places = (place(scene, state, i) for i in _felt_by(scene))
+        places = (place(scene, state, i) for i in loose(scene.bodies))
         return sum(0.5 * self.k * min(math.hypot(*x) - self.b, self.d) ** 2 for x in places)
 
     def events(self, scene: Scene) -> Iterator[Event]:
@@ -75,14 +75,10 @@ class Well(Force):
             r = math.hypot(*x)
             return bounced([c / r for c in x], velocity(scene, y, i), 1.0)
 
-        for i in _felt_by(scene):
+        for i in loose(scene.bodies):
             yield Event(lambda y, i=i: inside(place(scene, y, i), self.edge))
             yield Event(lambda y, i=i: -inside(place(scene, y, i), core), i, lambda y, i=i: turned(y, i))
 
     @property
     def conserves(self) -> Conserves:
         return Conserves.ENERGY
-
-
-def _felt_by(scene: Scene) -> list[int]:
-    return [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]

@@ -12,7 +12,7 @@ from typing import assert_never
 
 from scipy.optimize import minimize_scalar
 
-from corollary.scenes.body import nothing_moves
+from corollary.scenes.body import loose, nothing_moves
 from corollary.scenes.motion.energy import energy, impulses, kinetic, masses_at, momentum, refuse_rest
 from corollary.scenes.motion.isolation import POINTS
 from corollary.scenes.motion.path import Stretch, Trajectory, Turn
@@ -54,10 +54,12 @@ def _at_rest(scene: Scene, path: Trajectory) -> bool:
     if path.mode is None or not (path.mode.held or path.mode.rubbed):
         return False
     held = any(s in ("on", "stick") for s in (*path.mode.held, *path.mode.rubbed))
-    loose, count = _loose(scene), scene.axes * len(scene.bodies)
+    movable, count = loose(scene.bodies), scene.axes * len(scene.bodies)
     moved = max((abs(v) for stretch in path.stretches for v in stretch.before[count:]), default=0.0)
     slow = max(1e-9 * moved, 1e-12 * path.fast)
-    return held and bool(loose) and all(math.hypot(*velocity(scene, path.state, i)) <= slow for i in loose)
+    return (
+        held and bool(movable) and all(math.hypot(*velocity(scene, path.state, i)) <= slow for i in movable)
+    )
 
 
 def _stuck(scene: Scene, path: Trajectory) -> bool:
@@ -71,19 +73,14 @@ def _stuck(scene: Scene, path: Trajectory) -> bool:
         if on and all(math.hypot(*seen_from(scene, y, a, b)[1]) <= 1e-9 * path.fast for y in ends)
         for i in (a, b)
     }
-    loose = _loose(scene)
-    return bool(loose) and stuck.issuperset(loose)
-
-
-def _loose(scene: Scene) -> list[int]:
-    """The bodies that forces can move."""
-    return [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]
+    movable = loose(scene.bodies)
+    return bool(movable) and stuck.issuperset(movable)
 
 
 def _beyond_every_edge(scene: Scene, state: Sequence[float]) -> bool:
     """Whether forces of the scene have edges, and its bodies are beyond them on their way out."""
     edges = [force.edge for force in scene.forces if math.isfinite(force.edge)]
-    places = [(place(scene, state, i), velocity(scene, state, i)) for i in _loose(scene)]
+    places = [(place(scene, state, i), velocity(scene, state, i)) for i in loose(scene.bodies)]
     outward = all(sum(a * b for a, b in zip(x, v, strict=True)) > 0.0 for x, v in places)
     return bool(edges) and outward and all(math.hypot(*x) >= edge for x, _ in places for edge in edges)
 

@@ -9,6 +9,7 @@ from corollary.scenes.constraint import Rub
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.motion.own_forces import pushed
 from corollary.scenes.motion.system import System
+from corollary.scenes.row import reduced_mass
 from corollary.scenes.scene import ContactForce, Scene, start_of
 
 # A touch that errors of so many steps decide grazes.
@@ -105,7 +106,7 @@ def least_squeeze(system: System, fast: float) -> float:
 
 
 def _reduced(scene: Scene, a: int, b: int) -> float:
-    return 1.0 / (1.0 / scene.bodies[a].mass + 1.0 / scene.bodies[b].mass)
+    return reduced_mass(scene.bodies[a].mass, scene.bodies[b].mass)
 
 
 def _depth(scene: Scene, fast: float, force: ContactForce, a: int, b: int) -> float:
