@@ -1,7 +1,7 @@
 """References for composed scenes by a method of their own: extrapolated midpoint steps (Gragg, Bulirsch, Stoer) in 64 binary digits.
 
-Nothing here is shared with what is judged: equal steps in coordinates chosen for the scene, each extrapolated from nine subdivisions;
-an event is located by taking the last step again, to a shorter time, until its function vanishes.
+Nothing here is shared with what is judged: steps in coordinates chosen for the scene, each extrapolated from nine subdivisions
+and taken shorter where the last two disagree; an event is located by taking the last step again, to a shorter time, until its function vanishes.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import numpy as np
 
 L = np.longdouble
 COUNTS = tuple(range(2, 20, 2))
+CLOSE = 1e-14
 Slope = Callable[[Any, Any, Any], Sequence[Any]]
 Watched = Callable[[Any, Any, Any], Any]
 Act = Callable[[Any, Any, Any], tuple[Any, Any]]
@@ -23,8 +24,8 @@ def numbers(*values: Any) -> Any:
     return np.array([L(v) for v in values], dtype=L)
 
 
-def stepped(f: Slope, t: Any, y: Any, h: Any, flags: Any) -> Any:
-    """One step: the midpoint rule in each of `COUNTS` parts, extrapolated in the square of their length."""
+def stepped(f: Slope, t: Any, y: Any, h: Any, flags: Any) -> tuple[Any, Any]:
+    """One step: the midpoint rule in each of `COUNTS` parts, extrapolated in the square of their length; and what the last part changed."""
     rows: list[Any] = []
     for i, n in enumerate(COUNTS):
         part = h / n
@@ -36,7 +37,7 @@ def stepped(f: Slope, t: Any, y: Any, h: Any, flags: Any) -> Any:
             ratio = (L(n) / COUNTS[i - j]) ** 2
             row.append(row[-1] + (row[-1] - rows[-1][j - 1]) / (ratio - 1))
         rows.append(row)
-    return rows[-1][-1]
+    return rows[-1][-1], np.abs(rows[-1][-1] - rows[-1][-2])
 
 
 def follow(
@@ -49,15 +50,17 @@ def follow(
 ) -> Any:
     """The state at `until`; where a watched value falls from above zero to it, its act gives the state and flags to go on with."""
     t, until, y = L(0), L(until), numbers(*y)
+    span = L(h)
     while t < until:
-        span = min(L(h), until - t)
-        new = stepped(f, t, y, span, flags)
-        # What stood at zero and is below it after the step rose and fell within it.
-        while span > 1e-9 and any(
-            watch(t, y, flags) <= 0 and watch(t + span, new, flags) < 0 for watch, _ in events
+        span = min(4 * span, L(h), until - t)
+        new, changed = stepped(f, t, y, span, flags)
+        # A step too coarse (a slip that all but stops), or one in which what stood at zero rose and fell.
+        while span > 1e-9 and (
+            not np.all(changed <= CLOSE * (1 + np.abs(new)))
+            or any(watch(t, y, flags) <= 0 and watch(t + span, new, flags) < 0 for watch, _ in events)
         ):
             span /= 4
-            new = stepped(f, t, y, span, flags)
+            new, changed = stepped(f, t, y, span, flags)
         first: tuple[Any, Any, Act] | None = None
         for watch, act in events:
             if watch(t, y, flags) > 0 and watch(t + span, new, flags) <= 0:
@@ -67,7 +70,7 @@ def follow(
                     middle = low + (high - low) * above / (above - below)
                     if not low < middle < high:
                         break
-                    there = watch(t + middle, stepped(f, t, y, middle, flags), flags)
+                    there = watch(t + middle, stepped(f, t, y, middle, flags)[0], flags)
                     if there > 0:
                         low, above, below = middle, there, below / 2
                     else:
@@ -75,7 +78,7 @@ def follow(
                     if high - low < 1e-18 * max(t, span) or there == 0:
                         break
                 if first is None or high < first[0]:
-                    first = high, stepped(f, t, y, high, flags), act
+                    first = high, stepped(f, t, y, high, flags)[0], act
         if first is None:
             t, y = t + span, new
         else:

@@ -162,7 +162,7 @@ def of_hanging(given: dict[str, Any], _: Run) -> Reference:
 
     y, steps = numbers(0, 0, 1), 48
     for i in range(steps):
-        y = stepped(f, np.longdouble(i) / steps, y, np.longdouble(1) / steps, None)
+        y, _ = stepped(f, np.longdouble(i) / steps, y, np.longdouble(1) / steps, None)
     angle = y[0] * unit * dt / length
     speed = y[1] * unit + a / both * np.cos(angle) * y[2] * v
     height = 2 * length * np.sin(angle / 2) ** 2 + speed**2 / (2 * g)
