@@ -23,3 +23,13 @@ def test_a_notebook_is_written_without_building_grammars_of_addresses(tmp_path: 
     done = subprocess.run([sys.executable, "-c", RUN, place], capture_output=True, text=True, check=True)
     assert json.loads(done.stdout) == ["nbformat", "jsonschema"]
     assert json.loads(place.read_text(encoding="utf-8"))["nbformat"] == 4
+
+
+def test_the_package_runs_as_the_command():
+    ran = [
+        subprocess.run([sys.executable, "-m", "corollary", *asked], capture_output=True, text=True)
+        for asked in (["scene", "kick"], ["scen"])
+    ]
+    assert [done.returncode for done in ran] == [0, 2]
+    assert ran[0].stdout.startswith("kick: ")
+    assert "corollary --help" in ran[1].stderr
