@@ -161,3 +161,20 @@ def test_spheres_that_miss_keep_their_velocities_to_the_last_place():
     assert (found.observed["velocities"][:, :2] == across).all()
     assert not found.observed["velocities"][:, 2:].any()
     assert not found.errors["velocities"].any()
+
+
+@pytest.mark.parametrize("q", [1.0, 3.0, 7.0, 10.0])
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-9])
+def test_soft_spheres_that_pass_obliquely_are_within_their_errors(q, tolerance):
+    """A few long steps were off by up to thousands of times what two runs of them told."""
+    pytest.importorskip("numba")
+    chance, n = np.random.default_rng(11), 250
+    across, deep = chance.uniform(0.3, 1.0, n), 10.0 ** chance.uniform(-3.0, -0.2, n)
+    mass = 0.1 * 10.0 ** chance.uniform(-2.0, 2.0, n)
+    reduced = 0.1 * mass / (0.1 + mass)
+    k = (q + 1.0) * reduced * (1.0 - across**2) / 2.0 / (0.04 * deep) ** (q + 1.0)
+    drawn = {"dy": 0.04 * across, "mB": mass, "k": k}
+    found = corollary.ensemble("spheres", q=q, eta=0.0, tolerance=tolerance, dx=0.06, **drawn)
+    for i in np.flatnonzero(found.outcomes == "released"):
+        given = {key: float(values[i]) for key, values in drawn.items()}
+        holds(found, i, run("spheres", {"q": q, "eta": 0.0, "dx": 0.06, **given}))

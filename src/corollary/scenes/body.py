@@ -53,3 +53,9 @@ def nothing_moves(first: Body, second: Body) -> bool:
 def loose(bodies: Sequence[Body]) -> list[int]:
     """Which of the bodies forces can move."""
     return [i for i, body in enumerate(bodies) if not math.isinf(body.mass)]
+
+
+def bounced(normal: Sequence[float], velocity: Sequence[float], restitution: float) -> list[float]:
+    """The velocity after a bounce on a plane with this unit normal: what goes into it comes back with the restitution's share."""
+    into = min(sum(n * v for n, v in zip(normal, velocity, strict=True)), 0.0)
+    return [v - (1.0 + restitution) * into * n for n, v in zip(normal, velocity, strict=True)]

@@ -78,7 +78,7 @@ def plan(
     def follow() -> Run:
         runs = cheap
         if left:
-            from corollary.scenes.measure import measured  # here, since it brings scipy
+            from corollary.scenes.far import measured  # here, since it brings scipy
 
             with _within_range(scene):
                 runs = [*cheap, measured(scene, left, tolerance, why, times)]
@@ -178,7 +178,7 @@ def followed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
 
     Raises BadSetting for what cannot be observed, for a scene without an end of which that is asked, and as the integration does.
     """
-    from corollary.scenes.measure import measured  # here, since it brings scipy
+    from corollary.scenes.far import measured  # here, since it brings scipy
 
     known = {each.value: each for each in Observable}
     if strange := sorted(set(observe) - known.keys()):

@@ -91,6 +91,10 @@ class Force(ABC):
         """Where it rubs, if there is dry friction in it; `held` are its own constraints."""
         return ()
 
+    def from_origin(self, origin: Sequence[float]) -> Force | None:
+        """The same where `origin` (m) is the origin; none where that cannot be said. Most laws know differences of places only."""
+        return None if is_own(self) else self
+
     @property
     def may_be_brief(self) -> bool:
         """Whether it may act for much shorter than anything else happens: steps that feel nothing of it are then searched for it.
@@ -292,9 +296,3 @@ def pairs(scene: Scene, turning: bool = False) -> Iterator[tuple[int, int]]:
 def opposite(a: int, b: int, on_b: Sequence[float]) -> tuple[tuple[int, Sequence[float]], ...]:
     """A force on b and, by Newton's third law, its opposite on a."""
     return (b, on_b), (a, [-f for f in on_b])
-
-
-def bounced(normal: Sequence[float], velocity: Sequence[float], restitution: float) -> list[float]:
-    """The velocity after a bounce on a plane with this unit normal: what goes into it comes back with the restitution's share."""
-    into = min(sum(n * v for n, v in zip(normal, velocity, strict=True)), 0.0)
-    return [v - (1.0 + restitution) * into * n for n, v in zip(normal, velocity, strict=True)]

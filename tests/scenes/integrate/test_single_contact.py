@@ -199,3 +199,13 @@ def test_spheres_that_pass_or_part_never_meet():
     assert meet(Pair(1.0, 1.0, (0.08, 0.041), ((0.0, 0.0), (-1.0, 0.0)), 0.04, Contact(1.0))) is None
     assert meet(Pair(1.0, 1.0, (0.08, 0.0), ((0.0, 0.0), (1.0, 0.0)), 0.04, Contact(1.0))) is None
     assert meet(Pair(1.0, 1.0, (0.08, 0.0), ((0.0, 0.0), (0.0, 0.0)), 0.04, Contact(1.0))) is None
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-12])
+def test_a_force_far_below_what_turns_a_pair_aside_has_its_maximum(tolerance):
+    """Soft and oblique: the pair passes a hundredth of its reach deep, where a steep force is next to nothing; a drag is less."""
+    pair = Pair(0.1, 0.0233, (0.06, 0.03978), ((0.0, 0.0), (-1.0, 0.0)), 0.04, Contact(6.5e25, 10.0, 1e-20))
+    met = meet(pair)
+    found, integrated = follow(pair, met, tolerance), oblique(pair, met)
+    assert integrated.force < 1e-10
+    assert found.force == pytest.approx(integrated.force, rel=1e-6)

@@ -6,6 +6,7 @@ from random import Random
 
 import pytest
 
+from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.rod import String
 from corollary.scenes.forces.spring import Spring
 from corollary.scenes.forces.wall import HardWall
@@ -189,3 +190,21 @@ def test_a_string_that_jerks_far_from_where_it_began(begin):
     middle = 2.0 * a / (a + b) - G * until
     true = middle + b / (a + b) * relative, middle - a / (a + b) * relative
     assert found.observed["velocities"] == pytest.approx(true, abs=1e-9)
+
+
+@pytest.mark.parametrize("light", [1e-2, 1e-5, 1e-9])
+def test_bounces_of_what_is_heavy_die_away_beside_what_is_light(light):
+    """What holds both is solved for at once: it was 1e13 times smaller for one of them, and taken for nothing."""
+    slider, ball = Body(light, (0.0, 0.0), (3.72, 0.0)), Body(1e8, (200.0, 0.273), (1.224, 0.0))
+    walls = HardWall((0.0, 1.0), 0.0, 0.293, 0.1)
+    path = follow(Scene((slider, ball), (Weight(G), walls), until=0.565), 1e-10)
+    fall = math.sqrt(2.0 * 0.273 / G)
+    assert path.rests == [pytest.approx(fall * (1.0 + 2.0 * 0.293 / (1.0 - 0.293)), abs=1e-6)]
+    assert path.state[7] == 0.0
+
+
+@pytest.mark.parametrize("slow", [1e-33, 1e-20, 1e-13])
+def test_what_is_too_slow_to_meet_is_not_asked_how_deep_it_would(slow):
+    bodies = Body(1.0, (0.0,), (slow,), 0.05), Body(1.0, (1.0,), (0.0,), 0.05)
+    found = play(Scene(bodies, (Contact(2e4),), until=1.0), {O.VELOCITIES})
+    assert found.observed["velocities"] == (slow, 0.0)

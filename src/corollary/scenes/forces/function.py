@@ -29,6 +29,9 @@ class ForceFunction(ForceOnOne):
     function: Field
     energy: Potential | None = None
 
+    def from_origin(self, origin: Sequence[float]) -> None:
+        """Its places are the function's."""
+
     def fits(self, scene: Scene) -> None:
         refuse_own(scene, self, start_of(scene))
 

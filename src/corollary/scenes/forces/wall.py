@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from corollary.scenes.body import Body
 from corollary.scenes.constraint import Constraint, Rub, State
@@ -55,6 +56,13 @@ class HardWall(Force):
             raise BadSetting(
                 f"HardWall with velocity = {self.velocity:g} and moves: give one of the two, for moves tells the velocity, too."
             )
+
+    def from_origin(self, origin: Sequence[float]) -> HardWall | None:
+        """None for one that a function moves."""
+        if self.moves is not None:
+            return None
+        there = sum(Fraction(n) * Fraction(x) for n, x in zip(self.normal, origin, strict=True))
+        return replace(self, offset=float(Fraction(self.offset) - there))
 
     def fits(self, scene: Scene) -> None:
         refuse_components(scene.name, scene.axes, self, "normal")

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.body import inside, loose
+from corollary.scenes.body import bounced, inside, loose
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Conserves, Event, Force, Pushes, Scene, State, bounced, place, velocity
+from corollary.scenes.scene import Conserves, Event, Force, Pushes, Scene, State, place, velocity
 from corollary.scenes.sound import refuse_below_zero
 
 LATE = 1e-15
@@ -33,6 +33,9 @@ class Well(Force):
     @property
     def wall(self) -> float:
         return self.b - self.d
+
+    def from_origin(self, origin: Sequence[float]) -> None:
+        """It is where the origin is."""
 
     def fits(self, scene: Scene) -> None:
         refuse_below_zero(scene.name, self, above=("k", "b", "d"))

@@ -28,6 +28,9 @@ ROOM = STAGES + 2
 # The first step goes with the eighth root of the tolerance, the order of the method: two runs that began alike would share the errors
 # of their first steps, and their difference would not show them.
 FIRST_STEP, LONGEST_FIRST = 5.6, 0.5
+# No step is longer than LONGEST tolerance^FINER / (LEAST + q), or that part of the way up to LATE that it is beyond: in a few long ones
+# the estimates are small by luck, in both runs alike, where the force sets in steeply (by benchmarks/calibration.py).
+LONGEST, FINER, LEAST, LATE = 5.5, 0.09, 2.0, 4.0
 # Into so many parts a step is divided in which a force may rise between two falls, or fall between two rises.
 PARTS = 4
 # Centres nearer than this share of the reach: no contact law means anything there, and the turning, which grows as the inverse
@@ -134,10 +137,11 @@ def follow(y, groups, tolerance, most, room):
 
     Gives how it ended, the largest overlap, the largest force, and the evaluations.
     """
-    _, s, _, _, _, thickness = groups
+    q, s, _, _, _, thickness = groups
     after, state = room[AFTER], room[STATE]
-    top_force, top_overlap, spent = force(y, groups), whole(y[W], s), 0
-    h = min(FIRST_STEP * tolerance**0.125, LONGEST_FIRST)
+    top_force, top_overlap, spent, gone = force(y, groups), whole(y[W], s), 0, 0.0
+    longest = LONGEST * tolerance**FINER / (LEAST + q)
+    h = min(FIRST_STEP * tolerance**0.125, LONGEST_FIRST, longest)
     for _ in range(most):
         if sticks(y, groups):
             return STICKS, top_overlap, top_force, spent
@@ -156,7 +160,7 @@ def follow(y, groups, tolerance, most, room):
             continue
         if y[P] > 0.0 >= after[P]:
             spent += top_of(0.0, y[P], after[P], False, length, y, groups, by_root, room)
-            top_overlap = whole(state[W], s)
+            top_overlap, top_force = whole(state[W], s), max(top_force, force(state, groups))
         if max(top_overlap, whole(after[W], s)) * thickness > 1.0 - NEAREST:
             return TOO_SOFT, top_overlap, top_force, spent
         rising, falling, parts = force_growth(y, groups), force_growth(after, groups), 1
@@ -177,7 +181,8 @@ def follow(y, groups, tolerance, most, room):
             y[i] = after[i]
         if by_root:
             return ENDED, top_overlap, top_force, spent
-        h *= factor(size)
+        gone += length
+        h = min(h * factor(size), longest * max(1.0, gone / LATE))
     return TOO_LONG, top_overlap, top_force, spent
 
 

@@ -11,12 +11,10 @@ import numpy as np
 
 from corollary.scenes.constraint import Constraint, State
 from corollary.scenes.motion.path import Trajectory
-from corollary.scenes.motion.sizes import Sizes
+from corollary.scenes.motion.sizes import FINEST_OVERLAP, Sizes
 from corollary.scenes.motion.system import Array, Mode, System
 from corollary.scenes.run import BadSetting
 
-# An overlap has to be so many roundings of a place deep.
-FINEST_OVERLAP = 1e4
 # Forces on what is lighter (kg) are below the numbers that have all their digits.
 LIGHTEST = 1e-305
 # A speed along a rod that is such a part of those of its ends is what rounding leaves: it is taken out.

@@ -61,5 +61,9 @@ def same_twice(system: System, time: float, y: State, pressed: Sequence[int]) ->
 
 
 def _solved(matrix: Array, inverse: Array, right: Sequence[float]) -> Array:
-    solved = np.linalg.lstsq((matrix * inverse) @ matrix.T, np.array(right), rcond=1e-12)[0]
-    return np.asarray(solved, dtype=np.float64)
+    """Multipliers; each equation in its own unit, for a light body's is not to drown that of a heavy one."""
+    across = (matrix * inverse) @ matrix.T
+    units = np.sqrt(across.diagonal())
+    units[units == 0.0] = 1.0
+    scaled = np.linalg.lstsq(across / units / units[:, None], np.array(right) / units, rcond=1e-12)[0]
+    return np.asarray(scaled / units, dtype=np.float64)

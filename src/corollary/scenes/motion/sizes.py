@@ -10,10 +10,12 @@ from corollary.scenes.forces.contact import Contact
 from corollary.scenes.motion.own_forces import pushed
 from corollary.scenes.motion.system import System
 from corollary.scenes.row import reduced_mass
-from corollary.scenes.scene import ContactForce, Scene, start_of
+from corollary.scenes.scene import ContactForce, Scene, overlap, start_of
 
 # A touch that errors of so many steps decide grazes.
 GRAZING = 100.0
+# An overlap has to be so many roundings of a place deep.
+FINEST_OVERLAP = 1e4
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +56,9 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
     fast = max(fast, _gets(long, gained, scene.until)) or 1.0
     still = [*y[:count], *([0.0] * (len(y) - count))]
     gains = [abs(a) for a in system.gains(0.0, still, still)[:count]] if system.rubs else []
-    deep = min([long, *(_depth(scene, fast, force, a, b) for force, a, b in system.contacts)])
+    deep = _deep(system, long, fast)
+    if deep < FINEST_OVERLAP * math.ulp(long) and scene.until:
+        deep = _deep(system, long, fast, 10.0 * scene.until)
     place = min(long, 30.0 * deep)
     return Sizes(
         long=long,
@@ -93,6 +97,14 @@ def _own(scene: Scene, rub: Rub, y: list[float], gains: list[float], brief: floa
     long = max(max(abs(y[j]) for j in mine), *(body.radius for body in bodies))
     fast = max([abs(y[count + j]) for j in mine] + [abs(b.spin) * b.radius for b in bodies])
     return max(fast, math.hypot(*rub.driven), _gets(long, gained, scene.until))
+
+
+def _deep(system: System, long: float, fast: float, within: float = math.inf) -> float:
+    """About how deep (m) those of the bodies squeeze each other least that may meet `within` a time (s); all of `long` for none."""
+    scene, start = system.scene, start_of(system.scene)
+    near = 2.0 * fast * within
+    met = [c for c in system.contacts if near == math.inf or overlap(scene, start, *c[1:])[0] >= -near]
+    return min([long, *(_depth(scene, fast, *each) for each in met)])
 
 
 def least_squeeze(system: System, fast: float) -> float:

@@ -1,0 +1,59 @@
+"""Scenes far from the origin, followed from an origin of their own: doubles know places there as finely as bodies need them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from corollary.scenes import measure
+from corollary.scenes.run import Measurement, Observable, Run, components
+from corollary.scenes.scene import Scene, start_of
+
+FAR = 100.0
+"""So many times as far from the origin as from each other bodies are far: two digits are lost there, and differences of their places exact."""
+OF_THE_ORIGIN = {Observable.TURNING_POINTS, Observable.PERIOD, Observable.ENERGY}
+"""Distances from it, and potentials that are zero there."""
+
+
+def measured(
+    scene: Scene, observe: Collection[Observable], tolerance: float, why: str, times: Sequence[float] = ()
+) -> Run:
+    """The same as `measure.measured`; what knows no origin comes from one among the bodies, where they are far from that of the scene."""
+    nearer = None if OF_THE_ORIGIN.intersection(observe) else _nearer(scene)
+    if nearer is None:
+        return measure.measured(scene, observe, tolerance, why, times)
+    near, origin = nearer
+    run = measure.measured(near, observe, tolerance, why, times)
+    name = Observable.TRAJECTORY.value
+    if name not in run.measured:
+        return run
+    return replace(run, measured=run.measured | {name: _moved_back(run.measured[name], origin)})
+
+
+def _nearer(scene: Scene) -> tuple[Scene, tuple[float, ...]] | None:
+    """The scene from the place of its first body along axes on which all are far, and that place; none where a force cannot be told from there."""
+    first, start = scene.bodies[0].place, start_of(scene)
+    spread = max(max(math.dist(body.place, first), body.radius) for body in scene.bodies)
+    gaps = (constraint.gap(0.0, start) for force in scene.forces for constraint in force.constraints(scene))
+    spread = max(spread, *map(abs, gaps), 0.0)
+    origin = tuple(x if abs(x) > FAR * spread else 0.0 for x in first)
+    if not spread or not any(origin):
+        return None
+    forces = [force.from_origin(origin) for force in scene.forces]
+    known = tuple(force for force in forces if force is not None)
+    if len(known) < len(forces):
+        return None
+    bodies = tuple(
+        replace(body, place=tuple(x - o for x, o in zip(body.place, origin, strict=True)))
+        for body in scene.bodies
+    )
+    return replace(scene, bodies=bodies, forces=known), origin
+
+
+def _moved_back(found: Measurement, origin: tuple[float, ...]) -> Measurement:
+    places = [x + origin[i % len(origin)] for i, x in enumerate(components(found.value))]
+    errors = [e + math.ulp(x) for e, x in zip(components(found.error), places, strict=True)]
+    size = max([found.size, *map(abs, places)])
+    condition = None if found.condition is None else found.condition * found.size / size
+    return replace(found, value=tuple(places), error=tuple(errors), size=size, condition=condition)
