@@ -7,6 +7,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from corollary.scenes import measure
+from corollary.scenes.refused import is_own
 from corollary.scenes.run import Measurement, Observable, Run, components
 from corollary.scenes.scene import Scene, start_of
 
@@ -40,7 +41,7 @@ def _nearer(scene: Scene) -> tuple[Scene, tuple[float, ...]] | None:
     origin = tuple(x if abs(x) > FAR * spread else 0.0 for x in first)
     if not spread or not any(origin):
         return None
-    forces = [force.from_origin(origin) for force in scene.forces]
+    forces = [None if is_own(force) else force.from_origin(origin) for force in scene.forces]
     known = tuple(force for force in forces if force is not None)
     if len(known) < len(forces):
         return None

@@ -8,6 +8,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from corollary.scenes.forces.contact import Contact
 from corollary.scenes.motion.energy import keeps_energy, kinetic
 from corollary.scenes.motion.energy_errors import conserved, energy_lost, energy_off, hottest
 from corollary.scenes.motion.follow import follow
@@ -36,6 +37,8 @@ SAFETY = 1.5
 FEWER = 0.65
 """Of the steps allowed the coarser run may take such a part: the finer, of order eight, takes 20^(1/8) times more, and is not to be begun in vain."""
 FINEST, TIGHTER = 2e-14, 1e-2
+GENTLE, STEEP = 3.0, 1e-8
+"""Contacts of a higher power set in so steeply that coarse steps pass over it, in both runs alike: this is the coarsest tolerance then."""
 BY_TOUCH = 10.0
 """So many times what a step may be off is what a slight touch, or the root that a parting ends in, has cost: by benchmarks/calibration.py."""
 ROUNDED = 2.0
@@ -49,7 +52,8 @@ CHAOTIC = 1e6
 @lru_cache(maxsize=8)
 def _paths(scene: Scene, tolerance: float) -> tuple[float, Trajectory, Trajectory, Trajectory | None]:
     """The tolerance that is fine enough, a coarser run, a finer one, and a coarser one of slightly other data; none if that cannot be followed."""
-    finer = min(tolerance, TIED if ties_pucks(scene) else COARSEST)
+    steep = any(isinstance(force, Contact) and force.q > GENTLE for force in scene.contacts)
+    finer = min(tolerance, TIED if ties_pucks(scene) else STEEP if steep else COARSEST)
     try:
         if finer == tolerance:
             return tolerance, *_followed(scene, tolerance)

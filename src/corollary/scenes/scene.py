@@ -92,8 +92,8 @@ class Force(ABC):
         return ()
 
     def from_origin(self, origin: Sequence[float]) -> Force | None:
-        """The same where `origin` (m) is the origin; none where that cannot be said. Most laws know differences of places only."""
-        return None if is_own(self) else self
+        """The same where `origin` (m) is the origin, none where that cannot be said; asked of the laws of this package alone."""
+        return self
 
     @property
     def may_be_brief(self) -> bool:
