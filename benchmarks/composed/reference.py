@@ -13,7 +13,7 @@ import numpy as np
 
 L = np.longdouble
 COUNTS = tuple(range(2, 20, 2))
-CLOSE = 1e-14
+CLOSE = 1e-17
 Slope = Callable[[Any, Any, Any], Sequence[Any]]
 Watched = Callable[[Any, Any, Any], Any]
 Act = Callable[[Any, Any, Any], tuple[Any, Any]]

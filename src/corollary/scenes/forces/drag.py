@@ -10,6 +10,9 @@ from corollary.scenes.constraint import State
 from corollary.scenes.scene import Event, ForceOnOne, Pushes, Scene, velocity
 from corollary.scenes.sound import refuse_below_zero, refuse_components
 
+# Of the way to where an expansion ends, so much is a step at most.
+NEAR = 0.2
+
 
 @dataclass(frozen=True, slots=True)
 class Drag(ForceOnOne):
@@ -37,6 +40,13 @@ class Drag(ForceOnOne):
         if self.quadratic:
             for axis in range(scene.axes):
                 yield Event(lambda y, axis=axis: self._relative(scene, y)[axis], of_speed=True)
+
+    def smooth_for(self, scene: Scene, state: State, slope: State) -> float:
+        """In a plane a velocity may pass near that of the wind: |v| is expanded no farther than to where it would be gone."""
+        if scene.axes == 1 or not self.quadratic:
+            return math.inf
+        gained = math.hypot(*velocity(scene, slope, self.body))
+        return NEAR * math.hypot(*self._relative(scene, state)) / gained if gained else math.inf
 
     def _relative(self, scene: Scene, state: State) -> list[float]:
         wind = self.wind or (0.0,) * scene.axes

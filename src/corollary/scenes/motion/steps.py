@@ -11,6 +11,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.integrate import DOP853, Radau
 
+from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.motion.guards import Guards
 from corollary.scenes.motion.isolation import (
@@ -70,6 +71,7 @@ class Stepper:
             isinstance(force, Weight) for force in self.scene.forces if force not in self.scene.contacts
         )
         """Whether bodies that nothing touches fly along parabolas, which steps of any length follow exactly."""
+        self.drags = [force for force in self.scene.forces if isinstance(force, Drag)]
         self.at_most = math.inf
         """How long (s) the next phase's first step may be."""
 
@@ -133,6 +135,7 @@ class Stepper:
                 f"{self.scene.name}: the end was not reached within {self.steps - 1} steps, only {begun + solver.t:.6g} s. "
                 + remedy(self.scene, begun + solver.t, solver.y.tolist(), self.sizes.fast)
             )
+        self._keep_smooth(solver)
         try:
             solver.step()
         except (OverflowError, ZeroDivisionError):
@@ -145,6 +148,18 @@ class Stepper:
             raise GuardFailed(
                 f"{self.scene.name}: at {begun + solver.t:.6g} s a force grows without end; no step is short enough."
             )
+
+    def _keep_smooth(self, solver: DOP853 | Radau) -> None:
+        """The next step no longer than drag is smooth; what passes the wind's velocity as near as steps resolve passes through it."""
+        if not self.drags:
+            return
+        state, slope = solver.y.tolist(), solver.f.tolist()
+        gained = max(map(abs, slope[self.system.count : 2 * self.system.count]))
+        shortest = self.tolerance ** (1.0 / 3.0) * self.sizes.fast / gained if gained else math.inf
+        smooth = min(drag.smooth_for(self.scene, state, slope) for drag in self.drags)
+        solver.max_step = min(
+            self.longest, max(smooth, shortest), EDGE / self.rate if self.rate else math.inf
+        )
 
     def _hold_down(self, solver: DOP853) -> None:
         """The next step no longer than what fades allows, as far as the last few steps have shown it."""
