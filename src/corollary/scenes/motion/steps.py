@@ -135,7 +135,8 @@ class Stepper:
                 f"{self.scene.name}: the end was not reached within {self.steps - 1} steps, only {begun + solver.t:.6g} s. "
                 + remedy(self.scene, begun + solver.t, solver.y.tolist(), self.sizes.fast)
             )
-        self._keep_smooth(solver)
+        if self.drags:
+            self._keep_smooth(solver)
         try:
             solver.step()
         except (OverflowError, ZeroDivisionError):
@@ -151,15 +152,12 @@ class Stepper:
 
     def _keep_smooth(self, solver: DOP853 | Radau) -> None:
         """The next step no longer than drag is smooth; what passes the wind's velocity as near as steps resolve passes through it."""
-        if not self.drags:
-            return
         state, slope = solver.y.tolist(), solver.f.tolist()
         gained = max(map(abs, slope[self.system.count : 2 * self.system.count]))
         shortest = self.tolerance ** (1.0 / 3.0) * self.sizes.fast / gained if gained else math.inf
         smooth = min(drag.smooth_for(self.scene, state, slope) for drag in self.drags)
-        solver.max_step = min(
-            self.longest, max(smooth, shortest), EDGE / self.rate if self.rate else math.inf
-        )
+        edge = EDGE / self.rate if self.rate else math.inf
+        solver.max_step = min(self.longest, edge, max(smooth, shortest))
 
     def _hold_down(self, solver: DOP853) -> None:
         """The next step no longer than what fades allows, as far as the last few steps have shown it."""
