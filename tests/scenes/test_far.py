@@ -95,3 +95,11 @@ def test_what_knows_an_origin_stays_where_it_is():
     found = play(scene, {O.VELOCITIES, O.TURNING_POINTS}, 1e-8, (5.0,))
     assert found.observed["velocities"][0] == pytest.approx(-math.sin(5.0), abs=1e-6)
     assert found.observed["turning_points"] == pytest.approx((FAR - 1.0, FAR + 1.0), abs=1e-6)
+
+
+def test_velocities_are_the_same_whatever_else_is_asked():
+    far = moved(ON_A_LINE[0], (FAR,))
+    alone = play(far, {O.VELOCITIES})
+    beside = play(far, {O.VELOCITIES, O.TURNING_POINTS, O.ENERGY})
+    assert beside.measured["velocities"] == alone.measured["velocities"]
+    assert list(beside.measured) == ["velocities", "turning_points", "energy"]

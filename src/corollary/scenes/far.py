@@ -21,15 +21,24 @@ def measured(
     scene: Scene, observe: Collection[Observable], tolerance: float, why: str, times: Sequence[float] = ()
 ) -> Run:
     """The same as `measure.measured`; what knows no origin comes from one among the bodies, where they are far from that of the scene."""
-    nearer = None if OF_THE_ORIGIN.intersection(observe) else _nearer(scene)
+    free = set(observe) - OF_THE_ORIGIN
+    nearer = _nearer(scene) if free else None
     if nearer is None:
         return measure.measured(scene, observe, tolerance, why, times)
     near, origin = nearer
-    run = measure.measured(near, observe, tolerance, why, times)
+    run = measure.measured(near, free, tolerance, why, times)
     name = Observable.TRAJECTORY.value
-    if name not in run.measured:
+    if name in run.measured:
+        run = replace(run, measured=run.measured | {name: _moved_back(run.measured[name], origin)})
+    if not (tied := OF_THE_ORIGIN.intersection(observe)):
         return run
-    return replace(run, measured=run.measured | {name: _moved_back(run.measured[name], origin)})
+    rest = measure.measured(scene, tied, tolerance, why)
+    return replace(
+        run,
+        measured=run.measured | rest.measured,
+        evaluations=run.evaluations + rest.evaluations,
+        warnings=tuple(dict.fromkeys((*run.warnings, *rest.warnings))),
+    )
 
 
 def _nearer(scene: Scene) -> tuple[Scene, tuple[float, ...]] | None:

@@ -9,9 +9,10 @@ from scipy.integrate import solve_ivp
 
 from corollary.scenes.collision import collide
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.integrate.regularised import state_of
+from corollary.scenes.integrate.regularised import LaidOut, state_of
+from corollary.scenes.integrate.row_motion import TOO_LONG
 from corollary.scenes.integrate.row_rest import creep, lasts_at_least, stays
-from corollary.scenes.row import RowOfBodies
+from corollary.scenes.row import RowOfBodies, in_units, natural_units
 from corollary.scenes.run import GuardFailed
 
 FADED = 1e-6
@@ -106,3 +107,16 @@ def test_a_wall_holds_the_far_end_of_what_creeps():
         found = collide(RowOfBodies(masses, speeds, (0.0, 0.0), (Contact(1e4, 1.5, 1e3),) * 2), 1e-10)
         assert found.result.outcome == "sticks"
         assert found.result.velocities == pytest.approx((0.0,) * 3, abs=1e-9)
+
+
+@pytest.mark.parametrize("q", [6.5, 9.0])
+def test_what_has_flown_away_does_not_hide_that_the_rest_will_take_for_ever(q):
+    """Two balls that come in together hit one 1e-11 times lighter: what is left between them squeezes them for 1e9 natural times."""
+    line = RowOfBodies((36.4, 253.1, 3.8e-11), (1.0, 1.0, 0.0), (0.0, 0.0), (Contact(1e4, q),) * 2)
+    laid = LaidOut(in_units(line, natural_units(line)), False)
+    y = laid.start.copy()
+    seen, _, _ = laid.kernel(
+        y, laid.touching, laid.row, laid.deepest, laid.hardest, 1e-13, 400_000, laid.room
+    )
+    assert seen[0] == TOO_LONG
+    assert seen[4] < 30_000

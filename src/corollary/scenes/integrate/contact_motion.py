@@ -28,8 +28,8 @@ ROOM = STAGES + 2
 # The first step goes with the eighth root of the tolerance, the order of the method: two runs that began alike would share the errors
 # of their first steps, and their difference would not show them.
 FIRST_STEP, LONGEST_FIRST = 5.6, 0.5
-# No step is longer than LONGEST tolerance^FINER / (LEAST + q), or that part of the way up to LATE that it is beyond: in a few long ones
-# the estimates are small by luck, in both runs alike, where the force sets in steeply (by benchmarks/calibration.py).
+# No step is longer than LONGEST tolerance^FINER / (LEAST + q), beyond LATE in proportion to the way that is gone: where the force sets in
+# steeply, estimates of a few long ones are small by luck, in both runs alike.
 LONGEST, FINER, LEAST, LATE = 5.5, 0.09, 2.0, 4.0
 # Into so many parts a step is divided in which a force may rise between two falls, or fall between two rises.
 PARTS = 4

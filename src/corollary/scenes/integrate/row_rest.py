@@ -129,25 +129,49 @@ def stays(y, touching, row, tolerance):
 
 
 @kernel
+def at_most(y, row, first, last):
+    """The velocity of a wall, or of the centre of mass, of bodies that push none but each other, and their energy seen from there."""
+    inverse, _, k, q, _, _ = row
+    momentum, mass = 0.0, 0.0
+    for i in range(first, last + 1):
+        if inverse[i] > 0.0:
+            momentum, mass = momentum + y[2 * i] / inverse[i], mass + 1.0 / inverse[i]
+    mean, energy = momentum / mass if mass > 0.0 else 0.0, 0.0
+    for i in range(first, last + 1):
+        if inverse[i] == 0.0:
+            mean = y[2 * i]
+    for i in range(first, last + 1):
+        if inverse[i] > 0.0:
+            energy += 0.5 * (y[2 * i] - mean) * (y[2 * i] - mean) / inverse[i]
+    for j in range(first, last):
+        energy += stored(k[j], q[j], y[2 * j + 1])
+    return mean, energy
+
+
+@kernel
+def gone(y, touching, row, first, last, end):
+    """Whether the body at one `end` leaves the others faster than any of them can get."""
+    inverse, others, joint, way = row[0], first + 1, first, -1.0
+    if end == last:
+        others, joint, way = first, last - 1, 1.0
+    if touching[joint]:
+        return False
+    mean, energy = at_most(y, row, others, others + last - first - 1)
+    lightest = 0.0
+    for i in range(others, others + last - first):
+        lightest = max(lightest, inverse[i])
+    return way * (y[2 * end] - mean) > math.sqrt(2.0 * energy * lightest)
+
+
+@kernel
 def lasts_at_least(y, touching, row, tolerance):
     """How long it takes at least until no two bodies come nearer to each other; zero where damping or weight leaves no bound.
 
-    No contact pulls, or pushes harder than all of the energy, seen from the centre of mass or from a wall, can squeeze it. Where all that
-    touch are damped and stay together, half as long as the next one takes to come.
+    No contact pulls, or pushes harder than all of the energy, seen from the centre of mass or from a wall, can squeeze it; what is gone for
+    good has no part in it. Where all that touch are damped and stay together, half as long as the next one takes to come.
     """
     inverse, falls, k, q, eta, _ = row
-    count, momentum, mass = len(k), 0.0, 0.0
-    for i in range(count + 1):
-        if inverse[i] > 0.0:
-            momentum, mass = momentum + y[2 * i] / inverse[i], mass + 1.0 / inverse[i]
-    mean, energy, hardest, longest = momentum / mass, 0.0, 0.0, 0.0
-    for i in range(count + 1):
-        if inverse[i] == 0.0:
-            mean = y[2 * i]
-    for i in range(count + 1):
-        if inverse[i] > 0.0:
-            energy += 0.5 * (y[2 * i] - mean) * (y[2 * i] - mean) / inverse[i]
-    damped, comes = False, math.inf
+    count, damped, comes = len(k), False, math.inf
     for j in range(count):
         closing = y[2 * j] - y[2 * j + 2]
         if falls[j + 1] > 0.0:
@@ -155,13 +179,18 @@ def lasts_at_least(y, touching, row, tolerance):
         damped = damped or eta[j] > 0.0
         if not touching[j] and closing > tolerance:
             comes = min(comes, -0.5 * y[2 * j + 1] / closing)
-        energy += stored(k[j], q[j], y[2 * j + 1])
     if damped:
         return comes if comes < math.inf and holds(y, touching, row, tolerance) else 0.0
-    for j in range(count):
+    first, last, hardest, longest = 0, count, 0.0, 0.0
+    while last > first and gone(y, touching, row, first, last, last):
+        last -= 1
+    while last > first and gone(y, touching, row, first, last, first):
+        first += 1
+    _, energy = at_most(y, row, first, last)
+    for j in range(first, last):
         hardest = max(hardest, push(k[j], q[j], ((q[j] + 1.0) * energy / k[j]) ** (1.0 / (q[j] + 1.0))))
-    for i in range(count + 1):
-        for j in range(i + 1, count + 1):
+    for i in range(first, last + 1):
+        for j in range(i + 1, last + 1):
             if y[2 * i] > y[2 * j] and inverse[i] + inverse[j] > 0.0:
                 longest = max(longest, (y[2 * i] - y[2 * j]) / (inverse[i] + inverse[j]))
     return longest / hardest if hardest > 0.0 else 0.0

@@ -103,7 +103,7 @@ def _deep(system: System, long: float, fast: float, within: float = math.inf) ->
     """About how deep (m) those of the bodies squeeze each other least that may meet `within` a time (s); all of `long` for none."""
     scene, start = system.scene, start_of(system.scene)
     near = 2.0 * fast * within
-    met = [c for c in system.contacts if near == math.inf or overlap(scene, start, *c[1:])[0] >= -near]
+    met = [each for each in system.contacts if overlap(scene, start, *each[1:])[0] >= -near]
     return min([long, *(_depth(scene, fast, *each) for each in met)])
 
 
