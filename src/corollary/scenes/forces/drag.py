@@ -42,11 +42,18 @@ class Drag(ForceOnOne):
                 yield Event(lambda y, axis=axis: self._relative(scene, y)[axis], of_speed=True)
 
     def smooth_for(self, scene: Scene, state: State, slope: State) -> float:
-        """In a plane a velocity may pass near that of the wind: |v| is expanded no farther than to where it would be gone."""
+        """How long (s) a step may be: in a plane a velocity may pass near the wind's, and |v| is expanded no farther than to where it would be gone.
+
+        What drag alone slows down never gets there, nor does what falls as fast as it lets it.
+        """
         if scene.axes == 1 or not self.quadratic:
             return math.inf
-        gained = math.hypot(*velocity(scene, slope, self.body))
-        return NEAR * math.hypot(*self._relative(scene, state)) / gained if gained else math.inf
+        relative, gained = self._relative(scene, state), velocity(scene, slope, self.body)
+        speed = math.hypot(*relative)
+        share = (self.linear + self.quadratic * speed) / scene.bodies[self.body].mass
+        pushed = math.hypot(*(a + share * v for a, v in zip(gained, relative, strict=True)))
+        turned = min(pushed, math.hypot(*gained))
+        return NEAR * speed / turned if turned else math.inf
 
     def _relative(self, scene: Scene, state: State) -> list[float]:
         wind = self.wind or (0.0,) * scene.axes

@@ -135,7 +135,7 @@ class Stepper:
                 f"{self.scene.name}: the end was not reached within {self.steps - 1} steps, only {begun + solver.t:.6g} s. "
                 + remedy(self.scene, begun + solver.t, solver.y.tolist(), self.sizes.fast)
             )
-        if self.drags:
+        if self.drags and isinstance(solver, DOP853):
             self._keep_smooth(solver)
         try:
             solver.step()
@@ -150,7 +150,7 @@ class Stepper:
                 f"{self.scene.name}: at {begun + solver.t:.6g} s a force grows without end; no step is short enough."
             )
 
-    def _keep_smooth(self, solver: DOP853 | Radau) -> None:
+    def _keep_smooth(self, solver: DOP853) -> None:
         """The next step no longer than drag is smooth; what passes the wind's velocity as near as steps resolve passes through it."""
         state, slope = solver.y.tolist(), solver.f.tolist()
         gained = max(map(abs, slope[self.system.count : 2 * self.system.count]))
