@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from benchmarks.composed import falls
 from benchmarks.composed.case import judged
 from benchmarks.scenes_composed import EXACT, UNSEEN, cases
 
@@ -28,3 +29,9 @@ def test_a_scene_with_a_closed_form_is_right_or_honest(family):
     for case in cases(2, 3, (family,)):
         verdict = judged(case)
         assert verdict.outcome in ("right", "honest"), verdict.why
+
+
+def test_the_friction_of_bounces_that_are_left_out_is_in_the_error():
+    """Two runs left out the same bounces of a fall on a rough incline, and told nothing of each other."""
+    for case in cases(2, 5002, (falls.down_a_rough_incline,)):
+        assert judged(case).outcome in ("right", "honest")

@@ -244,8 +244,11 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
         return near(scene, path)
     if what is Observable.PERIOD:
         return unequal(scene, path)
-    if what in (Observable.VELOCITIES, Observable.SPINS):
+    if what is Observable.VELOCITIES:
         return path.dropped + path.astray
+    if what is Observable.SPINS:
+        turns = (b.mass * b.radius / b.resists_spin for b in scene.bodies if math.isfinite(b.resists_spin))
+        return (path.dropped + path.astray) * max([1.0, *filter(math.isfinite, turns)])
     if what is Observable.TRAJECTORY:
         return path.astray * path.time + BOUNCED * len(path.rests) * path.allowed
     if what in (Observable.IMPULSE, Observable.MOMENTUM):
