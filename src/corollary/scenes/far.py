@@ -19,34 +19,27 @@ OF_THE_ORIGIN = {Observable.TURNING_POINTS, Observable.PERIOD, Observable.ENERGY
 
 def measured(
     scene: Scene, observe: Collection[Observable], tolerance: float, why: str, times: Sequence[float] = ()
-) -> Run:
-    """The same as `measure.measured`; what knows no origin comes from one among the bodies, where they are far from that of the scene."""
+) -> list[Run]:
+    """`measure.measured` in one run; in two where bodies are far from the origin: what knows none comes from one among them, first."""
     free = set(observe) - OF_THE_ORIGIN
     nearer = _nearer(scene) if free else None
     if nearer is None:
-        return measure.measured(scene, observe, tolerance, why, times)
+        return [measure.measured(scene, observe, tolerance, why, times)]
     near, origin = nearer
     run = measure.measured(near, free, tolerance, why, times)
     name = Observable.TRAJECTORY.value
     if name in run.measured:
         run = replace(run, measured=run.measured | {name: _moved_back(run.measured[name], origin)})
-    if not (tied := OF_THE_ORIGIN.intersection(observe)):
-        return run
-    rest = measure.measured(scene, tied, tolerance, why)
-    return replace(
-        run,
-        measured=run.measured | rest.measured,
-        evaluations=run.evaluations + rest.evaluations,
-        warnings=tuple(dict.fromkeys((*run.warnings, *rest.warnings))),
-    )
+    tied = OF_THE_ORIGIN.intersection(observe)
+    return [run, measure.measured(scene, tied, tolerance, why)] if tied else [run]
 
 
 def _nearer(scene: Scene) -> tuple[Scene, tuple[float, ...]] | None:
     """The scene from the place of its first body along axes on which all are far, and that place; none where a force cannot be told from there."""
     first, start = scene.bodies[0].place, start_of(scene)
-    spread = max(max(math.dist(body.place, first), body.radius) for body in scene.bodies)
     gaps = (constraint.gap(0.0, start) for force in scene.forces for constraint in force.constraints(scene))
-    spread = max(spread, *map(abs, gaps), 0.0)
+    sizes = (size for body in scene.bodies for size in (math.dist(body.place, first), body.radius))
+    spread = max(*sizes, *map(abs, gaps))
     origin = tuple(x if abs(x) > FAR * spread else 0.0 for x in first)
     if not spread or not any(origin):
         return None

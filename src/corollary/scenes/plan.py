@@ -81,7 +81,7 @@ def plan(
             from corollary.scenes.far import measured  # here, since it brings scipy
 
             with _within_range(scene):
-                runs = [*cheap, measured(scene, left, tolerance, why, times)]
+                runs = [*cheap, *measured(scene, left, tolerance, why, times)]
         return _within_doubles(scene, _together(runs, [o.value for o in wanted]))
 
     if left:
@@ -151,7 +151,7 @@ def _parts_undamped(scene: Scene) -> bool:
 
 
 def _together(runs: Sequence[Run], names: Sequence[str]) -> Run:
-    """Runs of several models as one; how the scene ended says the dearest of them."""
+    """Several runs as one; how the scene ended says the dearest of them, the first if there are several."""
     measured = {name: each for run in runs for name, each in run.measured.items()}
     warnings = tuple(dict.fromkeys(warning for run in runs for warning in run.warnings))
     dearest = max(runs, key=lambda run: DEARER.index(run.model))
@@ -189,7 +189,8 @@ def followed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
         raise BadSetting("a trajectory is looked up where the scene ends: say until=…")
     times = (scene.until,) if scene.until is not None else ()
     with _within_range(scene):
-        found = measured(scene, {known[name] for name in observe}, tolerance, STEPS, times)
+        runs = measured(scene, {known[name] for name in observe}, tolerance, STEPS, times)
+    found = _together(runs, [name for name in known if name in observe])
     return _within_doubles(scene, found)
 
 

@@ -129,7 +129,7 @@ def stays(y, touching, row, tolerance):
 
 
 @kernel
-def at_most(y, row, first, last):
+def mean_and_energy(y, row, first, last):
     """The velocity of a wall, or of the centre of mass, of bodies that push none but each other, and their energy seen from there."""
     inverse, _, k, q, _, _ = row
     momentum, mass = 0.0, 0.0
@@ -151,14 +151,13 @@ def at_most(y, row, first, last):
 @kernel
 def gone(y, touching, row, first, last, end):
     """Whether the body at one `end` leaves the others faster than any of them can get."""
-    inverse, others, joint, way = row[0], first + 1, first, -1.0
-    if end == last:
-        others, joint, way = first, last - 1, 1.0
+    inverse, low, high, joint, way = row[0], first, last - 1, last - 1, 1.0
+    if end == first:
+        low, high, joint, way = first + 1, last, first, -1.0
     if touching[joint]:
         return False
-    mean, energy = at_most(y, row, others, others + last - first - 1)
-    lightest = 0.0
-    for i in range(others, others + last - first):
+    (mean, energy), lightest = mean_and_energy(y, row, low, high), 0.0
+    for i in range(low, high + 1):
         lightest = max(lightest, inverse[i])
     return way * (y[2 * end] - mean) > math.sqrt(2.0 * energy * lightest)
 
@@ -186,7 +185,7 @@ def lasts_at_least(y, touching, row, tolerance):
         last -= 1
     while last > first and gone(y, touching, row, first, last, first):
         first += 1
-    _, energy = at_most(y, row, first, last)
+    _, energy = mean_and_energy(y, row, first, last)
     for j in range(first, last):
         hardest = max(hardest, push(k[j], q[j], ((q[j] + 1.0) * energy / k[j]) ** (1.0 / (q[j] + 1.0))))
     for i in range(first, last + 1):
