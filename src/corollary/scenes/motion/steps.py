@@ -135,8 +135,8 @@ class Stepper:
                 f"{self.scene.name}: the end was not reached within {self.steps - 1} steps, only {begun + solver.t:.6g} s. "
                 + remedy(self.scene, begun + solver.t, solver.y.tolist(), self.sizes.fast)
             )
-        if self.drags and isinstance(solver, DOP853):
-            self._keep_smooth(solver)
+        if isinstance(solver, DOP853) and (self.rate or self.drags):
+            solver.max_step = min(self.longest, self._edge(), self._smooth_for(solver))
         try:
             solver.step()
         except (OverflowError, ZeroDivisionError):
@@ -150,30 +150,29 @@ class Stepper:
                 f"{self.scene.name}: at {begun + solver.t:.6g} s a force grows without end; no step is short enough."
             )
 
-    def _keep_smooth(self, solver: DOP853) -> None:
-        """The next step no longer than drag is smooth; what passes the wind's velocity as near as steps resolve passes through it."""
+    def _edge(self) -> float:
+        """How long (s) a step may be for what fades."""
+        return EDGE / self.rate if self.rate else math.inf
+
+    def _smooth_for(self, solver: DOP853) -> float:
+        """How long (s) drag is smooth; what passes the wind's velocity as near as steps resolve passes through it."""
+        if not self.drags:
+            return math.inf
         state, slope = solver.y.tolist(), solver.f.tolist()
         gained = max(map(abs, slope[self.system.count : 2 * self.system.count]))
         shortest = self.tolerance ** (1.0 / 3.0) * self.sizes.fast / gained if gained else math.inf
-        smooth = min(drag.smooth_for(self.scene, state, slope) for drag in self.drags)
-        edge = EDGE / self.rate if self.rate else math.inf
-        solver.max_step = min(self.longest, edge, max(smooth, shortest))
+        return max(min(drag.smooth_for(self.scene, state, slope) for drag in self.drags), shortest)
 
     def _hold_down(self, solver: DOP853) -> None:
-        """The next step no longer than what fades allows, as far as the last few steps have shown it."""
+        """Learn from a step how fast things fade, as far as the last few have shown it, and whether that holds steps down."""
         # In motion that swings a single step may look the same.
         self.seen = [*self.seen[1:], fading(solver)]
-        rate = min(self.seen)
-        lasted = solver.t - (solver.t_old or 0.0)
-        if rate * lasted > SEEN:
-            self.rate = max(rate, self.rate)
+        rate, lasted = min(self.seen), solver.t - (solver.t_old or 0.0)
+        self.rate = max(0.9 * self.rate, rate if rate * lasted > SEEN else 0.0)
         if self.rate * lasted > FADES:
             self.fades = True
         if self.rate:
-            edge = EDGE / self.rate
-            self.held_down = self.held_down + 1 if solver.h_abs > edge else max(self.held_down - 1, 0)
-            solver.max_step = min(self.longest, edge)
-            self.rate *= 0.9
+            self.held_down = max(self.held_down + (1 if solver.h_abs > self._edge() else -1), 0)
 
     def too_slow(self, left: float, stretch: Stretch) -> bool:
         """Whether to begin anew with another method, with so much time (s) left after a step.
