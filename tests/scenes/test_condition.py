@@ -1,6 +1,7 @@
 """Conditions of ready scenes against derivatives known in closed form; grazing hits and edges are announced."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -12,10 +13,18 @@ def conditioned(scene, **settings):
     return with_conditions(run(scene, settings), 1e-12)
 
 
-def test_the_depth_of_a_contact_goes_with_a_power_of_each_setting():
-    """X = ((q + 1) m v^2 / 2 k)^(1/(q + 1)) depends most on the speed (twice 2/5), or on the exponent."""
+def test_a_contact_lasts_by_a_power_of_each_setting_and_hangs_most_on_the_exponent():
+    """T = 2 X sqrt(pi) G(1 + p) / (v G(1/2 + p)) with X = (m v^2 / 2 p k)^p, p = 1/(q + 1) and the reduced mass m."""
+
+    def lasts(q):
+        p = 1.0 / (q + 1.0)
+        deep = (0.05 / (2.0 * p * 1e4)) ** p
+        return 2.0 * deep * math.sqrt(math.pi) * math.gamma(1.0 + p) / math.gamma(0.5 + p)
+
     found = conditioned("cradle", N=2.0, q=1.0)
-    assert found.measured["duration"].condition == pytest.approx(0.5, rel=0.5)
+    assert found.observed["duration"] == pytest.approx(lasts(1.0), rel=1e-12)
+    by_exponent = (lasts(1.0 + 1e-6) - lasts(1.0 - 1e-6)) / 2e-6 / lasts(1.0)
+    assert found.measured["duration"].condition == pytest.approx(by_exponent, rel=1e-5)
     assert found.measured["velocities"].condition == pytest.approx(1.0, rel=1e-5)
 
 
@@ -44,3 +53,20 @@ def test_a_condition_beyond_all_numbers_is_said(settings):
     found = conditioned("rocket", **settings)
     assert max(each.condition for each in found.measured.values()) > 1e250
     assert any("no more than 0" in each for each in found.warnings)
+
+
+def test_settings_at_the_end_of_what_they_may_be_hide_no_condition():
+    """By default the spheres touch as they begin, and the exponent is the least: moved all at once, that is refused."""
+    found = conditioned("touching_spheres")
+    assert (
+        1.0 < found.measured["momentum_change"].condition < 2.0
+    )  # m g t, of which several are moved at once
+    assert found.measured["velocities"].condition > 0.1
+
+
+def test_each_edge_is_told_by_the_name_of_its_setting():
+    edge = math.sqrt(50.0 * 0.16 / (1.0 - 1.0 / 1.96))
+    run_there = run("atom", {"v0": edge * (1.0 + 1e-9)})
+    dear = with_conditions(replace(run_there, evaluations=10**6), 1e-12)
+    assert any("v0 lies at an edge" in each for each in dear.warnings)
+    assert not any("One of" in each for each in dear.warnings)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 from corollary.scenes.catalogue import SCENES, run
@@ -34,25 +35,18 @@ def with_conditions(found: Run, tolerance: float) -> Run:
     The condition of a value is the largest of its relative changes over the change of one setting: with settings rounded to sixteen
     digits, so many of the value's are lost as it has.
     """
-    most = dict.fromkeys(found.measured, 0.0)
+    most: dict[str, float] = {}
     warnings: list[str] = []
-    every = list(_moved(found))
-    for i, (name, moved) in enumerate(every):
-        try:
-            with part(i / len(every), (i + 1) / len(every)):
-                other = run(found.scene, moved, tolerance)
-        except (BadSetting, GuardFailed):
-            continue
+    for name, other in _moved(found, tolerance):
         if other.outcome != found.outcome:
             warnings.append(
                 f"{name} lies at an edge: changed by {MOVED:g} of itself it makes {other.outcome!r} of {found.outcome!r}."
             )
             continue
-        for value in most:
-            if value in other.measured:
-                most[value] = max(most[value], _change(found, other, value) / MOVED)
+        for value in found.measured.keys() & other.measured.keys():
+            most[value] = max(most.get(value, 0.0), _change(found, other, value) / MOVED)
     measured = {
-        name: replace(each, condition=max(each.condition or 0.0, most[name]))
+        name: replace(each, condition=max(each.condition or 0.0, most[name])) if name in most else each
         for name, each in found.measured.items()
     }
     for name, condition in most.items():
@@ -65,20 +59,39 @@ def with_conditions(found: Run, tolerance: float) -> Run:
     return replace(found, measured=measured, warnings=(*found.warnings, *warnings))
 
 
-def _moved(found: Run) -> Iterator[tuple[str, dict[str, object]]]:
-    """Downward, so that a coefficient of restitution of one stays below its end; together, each by a part of its own: ratios change, too."""
-    numbers = [
+def _moved(found: Run, tolerance: float) -> Iterator[tuple[str, Run]]:
+    """Runs with settings moved, each for itself or all at once: where that is refused or makes another outcome, one half and the other.
+
+    Downward, so that a coefficient of restitution of one stays below its end, and upward where that is refused; at once, each by a part of
+    its own, for ratios are to change, too.
+    """
+    names = [
         each.name
         for each in SCENES[found.scene].settings
         if not each.whole and any(components(found.settings[each.name]))
     ]
-    if found.evaluations * len(numbers) <= DEAR:
-        for name in numbers:
-            yield name, {**found.settings, name: _times(found.settings[name], 1.0 - MOVED)}
-        return
-    shares = {name: 1.0 - APART * i % 1.0 for i, name in enumerate(numbers)}
-    moved = {name: _times(found.settings[name], 1.0 - MOVED * share) for name, share in shares.items()}
-    yield "One of the settings", {**found.settings, **moved}
+    parts = {name: 1.0 - APART * i % 1.0 for i, name in enumerate(names)}
+    at_once = found.evaluations * len(names) > DEAR
+    groups = [names] if at_once else [[name] for name in names]
+    told, done = 0.0, 0
+    while groups:
+        group, other = groups.pop(0), None
+        for way in (-MOVED, MOVED):
+            begin, told = told, 0.5 * (told + (done + len(group)) / len(names))
+            moved = {
+                name: _times(found.settings[name], 1.0 + way * (parts[name] if at_once else 1.0))
+                for name in group
+            }
+            with suppress(BadSetting, GuardFailed), part(begin, told):
+                other = run(found.scene, {**found.settings, **moved}, tolerance)
+                break
+        if len(group) > 1 and (other is None or other.outcome != found.outcome):
+            half = (len(group) + 1) // 2
+            groups[:0] = group[:half], group[half:]
+            continue
+        done += len(group)
+        if other is not None:
+            yield group[0], other
 
 
 def _times(value: Observed, factor: float) -> Observed:
