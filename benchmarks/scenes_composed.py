@@ -1,6 +1,6 @@
 """Composed scenes by the dozen against references found another way: what became of each family, and how far stated errors hold.
 
-    python benchmarks/scenes_composed.py [--each 7] [--seed 1] [--tolerance 1e-10] [--unseen | --exact]
+    python benchmarks/scenes_composed.py [--each 7] [--seed 1] [--tolerance 1e-10] [--unseen | --exact] [--family thrown_steeply]
 
 right: the truth lies within the stated error, which is below 1e-6 of the value's size; honest: within a larger one; refused: named;
 wrong: outside. A run with any wrong ends with status 1.
@@ -73,8 +73,13 @@ def main() -> int:
     parser.add_argument("--tolerance", type=float, default=1e-10)
     parser.add_argument("--unseen", action="store_true", help="the families that were chosen afterwards")
     parser.add_argument("--exact", action="store_true", help="those chosen last, with closed forms")
+    parser.add_argument("--family", help="this one of them alone")
     asked = parser.parse_args()
     families = UNSEEN if asked.unseen else EXACT if asked.exact else FIRST
+    if asked.family:
+        families = [each for each in (*FIRST, *UNSEEN, *EXACT) if each.__name__ == asked.family]
+        if not families:
+            parser.error(f"there is no family {asked.family}.")
     verdicts: list[tuple[Verdict, float]] = []
     for case in cases(asked.each, asked.seed, families):
         begin = time.process_time()

@@ -313,6 +313,23 @@ def parachute(draw: Random) -> Case:
     return Case("parachute", scene, {V: floats(*y[4:]), X: floats(*y[:4])}, (until,))
 
 
+def thrown_steeply(draw: Random) -> Case:
+    """In wind a body all but stops in the air at the top of its throw: quadratic drag bends there."""
+    m, c, until = draw.uniform(0.1, 1), draw.uniform(0.02, 0.3), draw.uniform(0.5, 2)
+    wind = draw.uniform(-1, 1), draw.uniform(-1, 1)
+    start = wind[0] + 10 ** draw.uniform(-4, 0), wind[1] + draw.uniform(1, 8)
+
+    def f(t: Any, y: Any, flags: Any) -> Any:
+        across, up = y[2] - wind[0], y[3] - wind[1]
+        pull = c / m * np.sqrt(across**2 + up**2)
+        return [y[2], y[3], -pull * across, -pull * up - G]
+
+    y = follow(f, (0, 0, *start), until)
+    forces = Weight(G), Drag(0, quadratic=c, wind=wind)
+    scene = Scene((Body(m, (0.0, 0.0), start),), forces, until=until)
+    return Case("thrown steeply", scene, {V: floats(*y[2:]), X: floats(*y[:2])}, (until,))
+
+
 FAMILIES = (
     skipping_orbit,
     crossed_fields,
@@ -327,4 +344,5 @@ FAMILIES = (
     van_der_pol,
     duffing_at_a_wall,
     parachute,
+    thrown_steeply,
 )

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from random import Random
 
-import numpy as np
 import pytest
-from benchmarks.composed.reference import follow
+from benchmarks.composed.case import judged
+from benchmarks.composed.fields import thrown_steeply
 
 from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.weight import Weight
@@ -21,27 +21,11 @@ G = 9.8
 @pytest.mark.parametrize("number", range(8))
 def test_a_steep_throw_in_wind_is_within_its_error(number):
     """A step over the top hides it from its estimate, in two runs alike: places had been off by five times what was stated."""
-    draw = Random(f"steep {number}")
-    mass, quadratic = draw.uniform(0.1, 1.0), draw.uniform(0.02, 0.3)
-    wind = draw.uniform(-1.0, 1.0), draw.uniform(-1.0, 1.0)
-    across, until = 10.0 ** draw.uniform(-2.0, -1.0), draw.uniform(0.8, 2.0)
-    velocity = wind[0] + across, wind[1] + draw.uniform(2.0, 8.0)
-
-    def slope(t, y, flags):
-        u, w = y[2] - wind[0], y[3] - wind[1]
-        pull = quadratic / mass * np.sqrt(u * u + w * w)
-        return [y[2], y[3], -pull * u, -G - pull * w]
-
-    true = follow(slope, (0.0, 0.0, *velocity), until)
-    scene = Scene(
-        (Body(mass, (0.0, 0.0), velocity),), (Weight(G), Drag(0, 0.0, quadratic, wind)), until=until
-    )
+    case = thrown_steeply(Random(f"steep {number}"))
     for tolerance in (1e-8, 1e-10, 1e-12):
-        found = play(scene, {O.VELOCITIES, O.TRAJECTORY}, tolerance, (until,))
-        for name, values in (("trajectory", true[:2]), ("velocities", true[2:])):
-            off = [abs(float(x - y)) for x, y in zip(found.observed[name], values, strict=True)]
-            assert all(x <= error for x, error in zip(off, found.errors[name], strict=True))
-            assert max(found.errors[name]) < 1e3 * tolerance
+        verdict = judged(case, tolerance)
+        assert verdict.outcome == "right", verdict.why
+        assert verdict.relative < 1e3 * tolerance
 
 
 def test_a_throw_straight_up_in_a_plane_passes_its_top():
