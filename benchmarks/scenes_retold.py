@@ -308,7 +308,7 @@ def told(rng: Random, scene: Scene) -> Telling:
     order = list(range(len(scene.bodies)))
     rng.shuffle(order)
     shift = tuple(rng.choice([0.0, rng.uniform(-3.0, 3.0)]) for _ in range(scene.axes))
-    length, time_unit, mass = (10.0 ** rng.uniform(-3.0, 3.0) for _ in range(3))
+    length, time_unit, mass = (10.0 ** rng.uniform(-12.0, 12.0) for _ in range(3))
     mirrored = scene.axes == 2 and rng.random() < 0.5
     # On a line weight knows up from down.
     return Telling(length, time_unit, mass, mirrored, shift, tuple(order))

@@ -44,8 +44,8 @@ def settled(items: Sequence[Item], inverse: Array, where: str) -> tuple[Status, 
         if squeezed is None:
             if not may_squeeze(items, statuses, inverse):
                 return statuses
-            squeezed = statuses, inverse * found.total
-        elif differ(squeezed[1], inverse * found.total) and not may_squeeze(items, statuses, inverse):
+            squeezed = statuses, moved(items, found, inverse)
+        elif differ(squeezed[1], moved(items, found, inverse)) and not may_squeeze(items, statuses, inverse):
             return statuses
     if squeezed is not None:
         return squeezed[0]
@@ -66,8 +66,14 @@ def _idle(items: Sequence[Item], statuses: Sequence[Status], found: Answer) -> b
     )
 
 
+def moved(items: Sequence[Item], found: Answer, inverse: Array) -> Array:
+    """What an answer changes along all rows (m/s^2, or m/s): what is the same along them is the same motion, in units that do not hang on sizes."""
+    change = inverse * found.total
+    return np.concatenate([item.rows @ change for item in items])
+
+
 def differ(one: Array, other: Array, share: float = 1e-6) -> bool:
-    """Whether two accelerations (or changes of velocity) are not the same but for a share of their size."""
+    """Whether what two answers change is not the same but for a share of its size."""
     return float(np.abs(one - other).max()) > share * float(max(np.abs(one).max(), np.abs(other).max()))
 
 
@@ -135,11 +141,11 @@ def consistent(items: Sequence[Item], statuses: Sequence[Status], found: Answer,
     fast = max((float(np.abs(item.bias).max()) for item in items), default=0.0)
     strong = max((float(np.abs(z).max(initial=0.0)) for z in found.multipliers), default=0.0)
     strong = max(strong, *(item.given * item.static for item in items if item.rub), 0.0)
-    fast = max(fast, float(np.abs(inverse * found.total).max(initial=0.0)))
+    # Along rows: how fast something turns is no speed.
+    change = np.abs(inverse * found.total)
+    fast = max(fast, *(float((np.abs(item.rows) @ change).max()) for item in items), 0.0)
     # What is left of a curve at a speed that was taken for none, or of frictions that cancel, is nothing to what friction can hold.
-    holds = (
-        item.given * item.static * float(np.abs(item.rows * inverse).max()) for item in items if item.rub
-    )
+    holds = (item.given * item.static * item.yields(inverse) for item in items if item.rub)
     fast = max(fast, 1e-8 * max(holds, default=0.0))
     for i, (item, status) in enumerate(zip(items, statuses, strict=True)):
         z, w = found.multipliers[i], found.left[i]

@@ -12,7 +12,7 @@ from corollary.scenes.motion.complementarity import settled
 from corollary.scenes.motion.multipliers import Item, Status, answer
 from corollary.scenes.motion.reversal import accelerations
 from corollary.scenes.motion.sizes import Sizes
-from corollary.scenes.motion.system import Mode, System
+from corollary.scenes.motion.system import Array, Mode, System
 from corollary.scenes.run import GuardFailed
 
 MOST_HITS = 3_000
@@ -44,7 +44,7 @@ def hangs_on_order(system: System, time: float, y: State, near: Sequence[int], s
     if len(near) - len(always) < 2:
         return False
     hit = [i for i in near if i not in always and system.rate(time, y, system.constraints[i]) < -sizes.speed]
-    ends: list[list[float]] = []
+    ends: list[Array] = []
     for first in [near, *([*always, i] for i in hit)]:
         end = list(y)
         try:
@@ -52,8 +52,15 @@ def hangs_on_order(system: System, time: float, y: State, near: Sequence[int], s
             settle_hits(system, time, end, near, sizes.speed)
         except GuardFailed:
             continue
-        ends.append(end)
+        ends.append(speeds(system, end))
     return any(math.dist(ends[0], end) > SEEN * sizes.fast for end in ends)
+
+
+def speeds(system: System, y: State) -> Array:
+    """All that moves in a state, in m/s: velocities by components, and how fast rims turn."""
+    found, scene = system.velocity(y), system.scene
+    radii = [body.radius for body in scene.bodies] if scene.spins else []
+    return np.array(found) * ([1.0] * system.count + radii)
 
 
 def _hit(system: System, time: float, y: list[float], near: Sequence[int], slow: float) -> int:

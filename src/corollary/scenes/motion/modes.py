@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from corollary.scenes.motion.complementarity import consistent
-from corollary.scenes.motion.hits import settle_hits, small_bounces
+from corollary.scenes.motion.hits import settle_hits, small_bounces, speeds
 from corollary.scenes.motion.multipliers import Item, Status, answer
 from corollary.scenes.motion.onset import beginning
 from corollary.scenes.motion.path import Doubt
@@ -215,7 +215,7 @@ class Moment:
         if mode is None or any(mode.rubbed[k] != "stick" for k in slow):
             self.y[:] = before
             return None
-        self.calmed = max(math.dist(before, self.y), self.calmed)
+        self.calmed = max(math.dist(speeds(system, before), speeds(system, self.y)), self.calmed)
         if self.before is not None:
             late = not_yet(system, self.time, before, self.before, self.y, mode, moving)
             self.y[system.count :] = [v + d for v, d in zip(system.velocity(self.y), late, strict=True)]

@@ -38,6 +38,10 @@ class Item:
     kinetic: float = 0.0
     static: float = 0.0
 
+    def yields(self, inverse: Array) -> float:
+        """How much a force (or impulse) of one along a row changes what is along it (per kg)."""
+        return float((np.square(self.rows) @ inverse).max())
+
 
 @dataclass(slots=True)
 class Answer:

@@ -76,7 +76,7 @@ def _turned(
             way = found.left[j]
             size = float(np.linalg.norm(way))
             # Where friction all but balances the pull, what is left points nowhere.
-            brakes = item.kinetic * item.given * float(np.abs(item.rows * inverse).max())
+            brakes = item.kinetic * item.given * item.yields(inverse)
             pulls = size > 1e-6 * max(float(np.linalg.norm(item.bias)), brakes)
             if pulls and float(np.abs(way / size - np.array(status)).max()) > 1e-9:
                 new: Status = tuple((way / size).tolist())

@@ -37,7 +37,7 @@ def slid(system: System, time: float, y: State, before: Mode | None, speed: floa
     for at, k in enumerate(active, first):
         if k in hardly:
             item, slower = items[at], -ways[k] * float(forces.left[at][0])
-            brake = item.kinetic * normal_force(items, forces, at) * np.abs(item.rows * inverse).max()
+            brake = item.kinetic * normal_force(items, forces, at) * item.yields(inverse)
             if slower > SLOWER * float(abs(item.bias[0]) + abs(brake)):
                 found.add(k)
     return found

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from corollary.scenes.motion.complementarity import combinations, consistent, differ, may_squeeze
+from corollary.scenes.motion.complementarity import combinations, consistent, differ, may_squeeze, moved
 from corollary.scenes.motion.multipliers import Array, Item, Status, answer
 
 # Looking for another answer is not worth more trials than these.
@@ -32,18 +32,18 @@ def rivals(
     if math.prod(len(item.may) for item in items) > MOST_RIVALS or all(item.pressed < 0 for item in items):
         return None
     firm = [replace(item, kinetic=item.static) if "stick" in item.may else item for item in items]
-    found = [(first, inverse * answer(firm, first, inverse).total)]
+    found = [(first, moved(firm, answer(firm, first, inverse), inverse))]
     for other in combinations(firm):
         tried = answer(firm, other, inverse)
-        moved = inverse * tried.total
+        change = moved(firm, tried, inverse)
         if (
-            all(differ(known, moved, ROUNDED) for _, known in found)
+            all(differ(known, change, ROUNDED) for _, known in found)
             and consistent(firm, other, tried, inverse)
             and not may_squeeze(firm, other, inverse)
             and consistent(items, other, answer(items, other, inverse), inverse)
             and lasts(other)
         ):
-            found.append((other, moved))
+            found.append((other, change))
     if len(found) == 1:
         return None
     (one, _), (other, _) = max(
