@@ -73,16 +73,16 @@ def _moved(found: Run, tolerance: float) -> Iterator[tuple[str, Run]]:
     parts = {name: 1.0 - APART * i % 1.0 for i, name in enumerate(names)}
     at_once = found.evaluations * len(names) > DEAR
     groups = [names] if at_once else [[name] for name in names]
-    told, done = 0.0, 0
+    reached, done = 0.0, 0
     while groups:
         group, other = groups.pop(0), None
         for way in (-MOVED, MOVED):
-            begin, told = told, 0.5 * (told + (done + len(group)) / len(names))
+            begin, reached = reached, 0.5 * (reached + (done + len(group)) / len(names))
             moved = {
                 name: _times(found.settings[name], 1.0 + way * (parts[name] if at_once else 1.0))
                 for name in group
             }
-            with suppress(BadSetting, GuardFailed), part(begin, told):
+            with suppress(BadSetting, GuardFailed), part(begin, reached):
                 other = run(found.scene, {**found.settings, **moved}, tolerance)
                 break
         if len(group) > 1 and (other is None or other.outcome != found.outcome):
