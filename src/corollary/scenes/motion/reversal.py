@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -12,6 +13,8 @@ from corollary.scenes.motion.system import Array, Mode, System
 
 # What slows down by such a part of what friction could make it do, it does: by less, rounding does.
 SLOWER = 1e-12
+# A slip has begun when it is twenty times as fast as it creeps; so far off its way until then it may be five times as much in the end.
+BEGUN = 100.0
 
 
 def unseen(system: System, time: float, y: State, k: int, speed: float) -> bool:
@@ -64,9 +67,16 @@ def left_over(
 
 
 def turned(before: Mode | None, mode: Mode) -> float:
-    """How far off (m/s) a slip of two components may be that became too slow to have a direction, and goes on in another."""
-    if before is None or not mode.creeps:
+    """How far off (m/s) a slip of two components may be that became too slow to have a direction, and goes on in another; or that went on as
+    it began until it was seen, and then another way."""
+    if before is None:
         return 0.0
+    if not mode.creeps:
+        begun = zip(before.creeps, before.rubbed, mode.rubbed, strict=False)
+        ways = (
+            (c, was, now) for c, was, now in begun if c and isinstance(was, tuple) and isinstance(now, tuple)
+        )
+        return max((BEGUN * creep * math.dist(was, now) for creep, was, now in ways), default=0.0)
     # What creeps already has begun at rest, where it is pushed.
     went = [
         isinstance(s, tuple) and not (before.creeps and before.creeps[k]) for k, s in enumerate(before.rubbed)
