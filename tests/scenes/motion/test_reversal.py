@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.function import ForceFunction
@@ -152,9 +153,16 @@ def held_by_a_belt(along: float) -> Scene:
     puck = Body(
         1.1808013916015625, (1.9932708740234375, 0.890716552734375), (along - 1.916015625, -2.591796875)
     )
-    ball = Body(0.45330810546875, (0.7665252685546875, 0.50048828125), (along + 0.3134765625, 2.5732421875))
+    ball = Body(
+        0.45330810546875,
+        (0.7665252685546875, 0.50048828125),
+        (along + 0.3134765625, 2.5732421875),
+        0.1282196044921875,
+        spin=-10.576950073242188,
+    )
     wind, belt = (along - 0.47265625, -0.2841796875), (along + 0.8642578125, 0.0)
     forces = (
+        Contact(4645119.345358391, 3.9340895854592843, mu=0.12055165448277443),
         Drag(1, 0.0, 0.9078757908529912, wind),
         Friction(0, 0.33620853909839726, 9.8, belt=belt),
         Spring((0, 1), 76.09427539368612, 1.5519866943359375, 0.20870226550913096),
@@ -162,11 +170,11 @@ def held_by_a_belt(along: float) -> Scene:
     return Scene((puck, ball), forces, until=1.2886962890625)
 
 
-@pytest.mark.parametrize("tolerance", [2.7e-11, 1.8e-11, 1e-11, 4e-12])
+@pytest.mark.parametrize("tolerance", [2.6883350164292536e-11, 1.7659249584218257e-11, 1.050046381373405e-11])
 def test_a_slip_that_begins_another_way_than_it_goes_on_is_in_the_errors(tolerance):
     """It breaks loose so slowly that the way it begins is kept until it is seen, whatever the tolerance: up to eight times what was stated."""
     true = play(held_by_a_belt(0.0), {O.VELOCITIES}, 1e-13).observed["velocities"]
-    for along in (3.20703125, 1.5234375, 3.56640625, -2.0):
+    for along in (3.20703125, 1.5234375, 3.56640625):
         found = play(held_by_a_belt(along), {O.VELOCITIES}, tolerance)
         seen = [v - along * (i % 2 == 0) for i, v in enumerate(found.observed["velocities"])]
         off = [abs(x - y) for x, y in zip(seen, true, strict=True)]
