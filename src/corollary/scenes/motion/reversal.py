@@ -71,17 +71,15 @@ def turned(before: Mode | None, mode: Mode) -> float:
     it began until it was seen, and then another way."""
     if before is None:
         return 0.0
-    if not mode.creeps:
-        begun = zip(before.creeps, before.rubbed, mode.rubbed, strict=False)
-        ways = (
-            (c, was, now) for c, was, now in begun if c and isinstance(was, tuple) and isinstance(now, tuple)
-        )
-        return max((BEGUN * creep * math.dist(was, now) for creep, was, now in ways), default=0.0)
-    # What creeps already has begun at rest, where it is pushed.
-    went = [
-        isinstance(s, tuple) and not (before.creeps and before.creeps[k]) for k, s in enumerate(before.rubbed)
-    ]
-    return max((2.0 * creep for creep, was in zip(mode.creeps, went, strict=True) if was), default=0.0)
+    off, none = 0.0, (0.0,) * len(mode.rubbed)
+    creeps = zip(before.creeps or none, mode.creeps or none, before.rubbed, mode.rubbed, strict=True)
+    for crept, creep, way, now in creeps:
+        # What creeps already has begun at rest, where it is pushed.
+        if creep and not crept and isinstance(way, tuple):
+            off = max(off, 2.0 * creep)
+        elif crept and not creep and isinstance(way, tuple) and isinstance(now, tuple):
+            off = max(off, BEGUN * crept * math.dist(way, now))
+    return off
 
 
 def not_yet(
