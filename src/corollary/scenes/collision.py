@@ -20,7 +20,16 @@ from corollary.scenes.row import (
     in_units,
     natural_units,
 )
-from corollary.scenes.run import ROUNDING, GuardFailed, Model, Observed, Run, by_relative_errors, two_runs
+from corollary.scenes.run import (
+    ILL,
+    ROUNDING,
+    GuardFailed,
+    Model,
+    Observed,
+    Run,
+    by_relative_errors,
+    two_runs,
+)
 
 # Two runs may agree by chance: so many times their difference holds in all but one value of a thousand (benchmarks/calibration.py).
 SAFE = 10.0
@@ -28,8 +37,8 @@ SAFE = 10.0
 SHARED = 0.2
 # So much of the strain of slow touches counts.
 STRAINED = 0.5
-# The last digit of a double; that it grows so much is worth a warning.
-DIGIT, ILL = 2.0**-52, 1e6
+# The last digit of a double.
+DIGIT = 2.0**-52
 # In longer rows of springs a sum of normal modes costs more than steps.
 MOST_FOR_NORMAL_MODES = 20
 SEEN_AS = {"duration": "duration", "largest_overlap": "overlaps", "peak_force": "forces"}

@@ -9,14 +9,13 @@ from dataclasses import replace
 
 from corollary.scenes.catalogue import SCENES, run
 from corollary.scenes.progress import part, with_bar
-from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, components
+from corollary.scenes.run import ILL, BadSetting, GuardFailed, Observed, Run, components
 
 MOVED = 1e-7  # as a share of a setting: small, and still far above what rounding does to values
 # Evaluations of forces in all: where runs with one setting moved after the other cost more, all are moved together, in one. The clock does
 # not decide it, for on a machine that is busy the same scene would get another condition.
 DEAR = 12_000
 APART = 0.618  # the golden ratio: its multiples leave parts of one that are all different
-ILL = 1e6  # from this condition on it is worth a warning
 DIGITS = 15.95  # of a double
 
 
@@ -70,18 +69,15 @@ def _moved(found: Run, tolerance: float) -> Iterator[tuple[str, Run]]:
         for each in SCENES[found.scene].settings
         if not each.whole and any(components(found.settings[each.name]))
     ]
-    parts = {name: 1.0 - APART * i % 1.0 for i, name in enumerate(names)}
     at_once = found.evaluations * len(names) > DEAR
+    parts = {name: 1.0 - APART * i % 1.0 if at_once else 1.0 for i, name in enumerate(names)}
     groups = [names] if at_once else [[name] for name in names]
     reached, done = 0.0, 0
     while groups:
         group, other = groups.pop(0), None
         for way in (-MOVED, MOVED):
             begin, reached = reached, 0.5 * (reached + (done + len(group)) / len(names))
-            moved = {
-                name: _times(found.settings[name], 1.0 + way * (parts[name] if at_once else 1.0))
-                for name in group
-            }
+            moved = {name: _times(found.settings[name], 1.0 + way * parts[name]) for name in group}
             with suppress(BadSetting, GuardFailed), part(begin, reached):
                 other = run(found.scene, {**found.settings, **moved}, tolerance)
                 break

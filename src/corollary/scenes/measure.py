@@ -22,6 +22,7 @@ from corollary.scenes.progress import part
 from corollary.scenes.run import (
     COARSEST,
     FINER,
+    ILL,
     BadSetting,
     GuardFailed,
     Measurement,
@@ -45,8 +46,6 @@ ROUNDED = 2.0
 """So many roundings of a place show in an overlap, whose force hands them on."""
 BOUNCED = 0.2
 """Such a part of what steps may be off are two of the bounces that are left out."""
-CHAOTIC = 1e6
-"""From this condition on a change of the data by CHANGED comes out as large as the value: it is said."""
 
 
 @lru_cache(maxsize=8)
@@ -190,7 +189,7 @@ def measured(
         )
     warnings += doubts(rough, right)
     worst = max((m.condition or 0.0 for m in found.values()), default=0.0)
-    if worst > CHAOTIC:
+    if worst > ILL:
         warnings.append(
             f"a small change of the data comes out {worst:.0e} times larger or more (chaos, or an edge): "
             f"at most {max(16.0 - math.log10(worst), 0.0):.0f} digits can be had"

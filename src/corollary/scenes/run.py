@@ -19,6 +19,9 @@ DEARER: tuple[Model, ...] = ("conservation", "quadrature", "piecewise exact", "i
 ROUNDING = 2e-15
 """What rounding leaves of a closed formula, as a part of the largest number in it."""
 
+ILL = 1e6
+"""From this condition on (how many times larger a small change of the data comes out in a value) it is worth a warning."""
+
 COARSEST = 1e-6
 """Beyond this tolerance steps are so long that two runs take the same and cannot tell their error; they cost little less, too."""
 
