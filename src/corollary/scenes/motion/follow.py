@@ -103,8 +103,7 @@ class Follower:
         if moment.dropped:
             path.rests.append(ends := path.time + moment.lasts)
             path.dropped = max(path.dropped, moment.dropped * (ends > (self.scene.until or math.inf)))
-            # Those bounces would press, and rub, by that speed less than what rests: that much, and something to spare.
-            path.astray += 1.1 * moment.dropped * max((rub.kinetic for rub in self.system.rubs), default=0.0)
+            path.astray += moment.astray
         # What is watched is each stretch between hits: these may cost energy.
         self.energy = energy(self.scene, path.time, path.state) if keeps_energy(self.scene, mode) else None
         return mode

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from corollary.scenes.motion.complementarity import consistent
-from corollary.scenes.motion.hits import settle_hits, small_bounces, speeds
+from corollary.scenes.motion.hits import rub_less, settle_hits, small_bounces, speeds
 from corollary.scenes.motion.multipliers import Item, Status, answer
 from corollary.scenes.motion.onset import beginning
 from corollary.scenes.motion.path import Doubt
@@ -33,7 +33,7 @@ class Moment:
     `barred` are constraints that must let go and rubs that must slip (with the direction of the force that held them), because
     that is why the moment came, `stopped` are rubs that have just stopped slipping; `before` is the mode until then. `looks_ahead`: what
     holds is decided by what comes next, where it is not by what is. `hits` counts what was hit, `doubts` are what errors decide; `dropped` is the
-    speed (m/s) taken for none, `calmed` that of a slip, `lasts` how long (s) the bounces left out would have taken.
+    speed (m/s) taken for none, `calmed` that of a slip; bounces left out would last for `lasts` (s), and leave slips off by `astray` (m/s).
     """
 
     system: System
@@ -50,6 +50,7 @@ class Moment:
     dropped: float = 0.0
     calmed: float = 0.0
     lasts: float = 0.0
+    astray: float = 0.0
 
     def decided(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode:
         """Settle hits, then what holds. Raises GuardFailed where no forces of rigid bodies are consistent."""
@@ -75,6 +76,7 @@ class Moment:
             resting |= {*slow, *held_in(mode)[0]}
             project(self.system, self.time, self.y, sorted(resting), [])
             mode = self._settle_forces(touching, sides)
+            self.astray += rub_less(self.system, self.time, self.y, mode, slow)
         project(self.system, self.time, self.y, *held_in(mode))
         if self.before is not None and mode.creeps:
             for k, extra in left_over(self.system, self.time, self.y, self.before, mode):
@@ -93,7 +95,8 @@ class Moment:
             slips = [k for k in self.barred_rubs if self.before.rubbed[k] == "stick" != mode.rubbed[k]]
             if not slips and any(mode.held[i] == "on" for i in idle):
                 self.y[:], self.doubts, self.hits = moment.y, moment.doubts, moment.hits
-                self.dropped, self.calmed, self.lasts = moment.dropped, moment.calmed, moment.lasts
+                self.dropped, self.lasts, self.astray = moment.dropped, moment.lasts, moment.astray
+                self.calmed = moment.calmed
                 return mode
         return None
 
@@ -102,7 +105,8 @@ class Moment:
         return [
             i
             for i in self._near()
-            if self.system.constraints[i].two_sided or self._rate(i) <= self.sizes.speed
+            if (c := self.system.constraints[i]).two_sided
+            or self.system.rate(self.time, self.y, c) <= self.sizes.speed
         ]
 
     def _near(self) -> list[int]:
@@ -110,9 +114,6 @@ class Moment:
         known = enumerate(self.system.constraints)
         near = max(self.sizes.gap, 16.0 * math.ulp(max(map(abs, self.y[: self.system.count]))))
         return [i for i, c in known if c.two_sided or c.gap(self.time, self.y) <= near]
-
-    def _rate(self, i: int) -> float:
-        return self.system.rate(self.time, self.y, self.system.constraints[i])
 
     def _settle_forces(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode:
         system, sizes = self.system, self.sizes
@@ -123,7 +124,11 @@ class Moment:
         rubbing = [
             k
             for k, rub in enumerate(system.rubs)
-            if (self._presses(k, touching) if rub.normal else system.pressed[k] in resting)
+            if (
+                (j := system.rub_contacts[k]) < 0 or touching[j]
+                if rub.normal
+                else system.pressed[k] in resting
+            )
         ]
         known: list[tuple[list[int], list[int], Sequence[Item]]] = []
         for group, rubs in system.clusters(self.time, self.y, resting, rubbing):
@@ -220,10 +225,6 @@ class Moment:
             late = not_yet(system, self.time, before, self.before, self.y, mode, moving)
             self.y[system.count :] = [v + d for v, d in zip(system.velocity(self.y), late, strict=True)]
         return mode
-
-    def _presses(self, k: int, touching: Sequence[bool]) -> bool:
-        contact = self.system.rub_contacts[k]
-        return contact < 0 or touching[contact]
 
     def _settle_group(
         self,

@@ -61,7 +61,7 @@ def left_over(
         back = float(slip @ along)
         if back >= 0.0:
             continue
-        was, will = (float(_gained(system, time, y, each, k) @ along) for each in (before, mode))
+        was, will = (float(gained(system, time, y, each, k) @ along) for each in (before, mode))
         if was > will > 0.0:
             yield k, (back * (1.0 - will / was) * along).tolist()
 
@@ -93,7 +93,7 @@ def not_yet(
     for k in stops:
         slip = np.array(system.slip(time, y, k))
         speed = float(np.linalg.norm(slip))
-        slows = -float(slip @ _gained(system, time, y, before, k)) / speed if speed else 0.0
+        slows = -float(slip @ gained(system, time, y, before, k)) / speed if speed else 0.0
         lasts = max(lasts, speed / slows) if slows > 0.0 else lasts
     was, now = (accelerations(system, time, *each) for each in ((y, before), (stopped, mode)))
     axes = system.scene.axes
@@ -110,7 +110,7 @@ def accelerations(system: System, time: float, y: State, mode: Mode) -> Array:
     return np.asarray(gained) + system.inverse(time) * found.total
 
 
-def _gained(system: System, time: float, y: State, mode: Mode, k: int) -> Array:
+def gained(system: System, time: float, y: State, mode: Mode, k: int) -> Array:
     """How fast a slip changes in a mode (m/s^2)."""
     acceleration = accelerations(system, time, y, mode)
     return np.array(system.rubs[k].rows(time, y)) @ acceleration + np.array(system.rubs[k].drift(time, y))
