@@ -93,6 +93,17 @@ def springs(rng: random.Random) -> dict[str, Any]:
     }
 
 
+def light_last(rng: random.Random) -> dict[str, Any]:
+    """Ever heavier balls between springs, and a light one at the end: its contact, too shallow to be seen beside the others, opens last or not."""
+    count = rng.randint(3, 6)
+    masses = sorted(powers(rng, -5, 0) for _ in range(count - 1))
+    masses.append(masses[-1] * powers(rng, -7, -4.5))
+    deep = math.sqrt(masses[-2])
+    gaps = tuple(rng.choice([0.0, deep * powers(rng, -5, 0)]) for _ in range(count - 1))
+    given = {"N": float(count), "masses": tuple(masses), "q": 1.0, "k": 1.0, "v0": 1.0}
+    return given | {"gaps": rng.choice([0.0, gaps]), "balls_in": float(rng.randint(1, count - 1))}
+
+
 def of_springs(given: dict[str, Any], found: Run) -> Reference:
     return of_row(given, found, 1e-22)
 
@@ -272,6 +283,7 @@ FAMILIES = (
     Family("cradle of three, any masses", "cradle", STEPS, three, of_row),
     Family("cradle of two to six", "cradle", STEPS, row, of_row, known=1e-18),
     Family("long rows of springs, unequal", "cradle", STEPS, springs, of_springs),
+    Family("springs, a light ball at the end", "cradle", STEPS, light_last, of_springs),
     Family("spheres that touch and fall", "touching_spheres", STEPS, touching, of_touching),
     Family("two balls dropped together", "super_ball", STEPS, dropped, of_dropped),
 )

@@ -19,6 +19,7 @@ from corollary.scenes.row import (
     in_si,
     in_units,
     natural_units,
+    reduced_mass,
 )
 from corollary.scenes.run import (
     ILL,
@@ -35,6 +36,8 @@ from corollary.scenes.run import (
 SAFE = 10.0
 # One number's difference may pass through zero between two tolerances, where those of the others do not: this share of theirs is its own.
 SHARED = 0.2
+# So many times what is too shallow to be seen is missed of the overlaps of a row of springs.
+SEVERAL = 3.0
 # So much of the strain of slow touches counts.
 STRAINED = 0.5
 # The last digit of a double.
@@ -108,14 +111,20 @@ def _by_normal_modes(line: RowOfBodies) -> Collided:
         )
     }
     sure = max(rounded, apart["overlaps"], SHARED * apart["velocities"])
+    fastest = max(map(abs, line.velocities))
+    slow, late = _too_shallow(line, result, modal.NOISE)
     errors = {
         # A rounding of momentum is much of the speed of a light body.
-        "velocities": max(rounded * thrown**2, apart["velocities"], _energy_lost(line, result)),
+        "velocities": max(
+            rounded * thrown**2, apart["velocities"], _energy_lost(line, result), slow / fastest
+        ),
         "overlaps": sure,
         "forces": sure,
-        "duration": max((30.0 + 3.0 * result.strain) * sure, apart["duration"]),
+        "duration": max(
+            (30.0 + 3.0 * result.strain) * sure, apart["duration"], late / (result.duration or 1.0)
+        ),
     }
-    off = errors["velocities"] * max(map(abs, line.velocities))
+    off = errors["velocities"] * fastest
     doubts = _doubts(line, (otherwise, result), off, "")
     if (grown := apart["velocities"] / SAFE / DIGIT) > ILL:
         doubts += (
@@ -123,6 +132,23 @@ def _by_normal_modes(line: RowOfBodies) -> Collided:
         )
     why = "springs: from one opening to the next the motion is a sum of swings"
     return Collided(result, errors, "piecewise exact", why, 0, doubts)
+
+
+def _too_shallow(line: RowOfBodies, result: RowResult, noise: float) -> tuple[float, float]:
+    """What an overlap that is too shallow to be seen, a share `noise` of the deepest, does to a light body: how fast (m/s) it may swing with it,
+    and how much later (s) its contact may open."""
+    units = natural_units(line)
+    if units is None:
+        return 0.0, 0.0
+    shallow = SEVERAL * noise * units.overlap
+    slow = late = 0.0
+    met = zip(pairwise(line.masses), line.contacts, result.overlaps, pairwise(result.velocities), strict=True)
+    for (a, b), contact, deep, (v, w) in met:
+        swing = math.sqrt(reduced_mass(a, b) / contact.k)
+        slow = max(slow, shallow / swing)
+        if deep:  # it opens as slowly as it goes on
+            late = max(late, min(math.pi * swing, shallow / (abs(w - v) or deep / swing)))
+    return slow, late
 
 
 def _energy_lost(line: RowOfBodies, result: RowResult) -> float:

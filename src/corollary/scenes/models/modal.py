@@ -6,11 +6,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from corollary.scenes.models.normal_modes import NOISE, Array, Flags, NormalModes, OneOverlap, Swings
 from corollary.scenes.row import (
     RowOfBodies,
     RowResult,
@@ -23,92 +23,16 @@ from corollary.scenes.row import (
 )
 from corollary.scenes.run import GuardFailed, Outcome
 
-Array = NDArray[np.floating]
-Flags = NDArray[np.bool_]
-
-# Overlaps and speeds below this (in natural units) are what rounding leaves of zero.
-NOISE = 1e-14
-# A body a millionth as heavy as its neighbours is thrown to and fro some 1600 times, each time opening and closing two contacts.
-MOST_PHASES = 8000
+# A body a millionth as heavy as its neighbours is thrown to and fro some 1600 times, each time opening and closing two contacts. In rows
+# of more than so many bodies all that takes longer, and what is struck so often is not known in the end: fewer are enough.
+MOST_PHASES, LONG = 8000, 10
 MOST_BLOCKS = 5_000
 # The energy that rounding may change: so much in all, or so much for each body at every opening.
 LEAST_ALLOWED, ALLOWED_EACH = 1e-11, 2e-14
 # A grid so fine that an overlap has one turning point at most between two of its points.
-CELL, CELLS = 0.05, 256
-
-
-@dataclass(frozen=True, slots=True)
-class NormalModes:
-    """The overlaps as sums of modes: shapes @ (start cos wt + speed sin wt / w), a straight line where w is zero.
-
-    shapes is (contacts, modes); frequencies, start and speed are (modes,). `apart` (contacts,) is what open contacts begin with: no
-    force knows of it, and the rounding of a gap of miles would be more than all that oscillates.
-    """
-
-    shapes: Array
-    frequencies: Array
-    start: Array
-    speed: Array
-    apart: Array
-
-    def at(self, times: Array) -> tuple[Array, Array]:
-        """Overlaps and their rates at some times, each (contacts, times)."""
-        w = self.frequencies[:, None]
-        cosine, sine = (
-            np.cos(w * times),
-            np.where(w > 0.0, np.sin(w * times) / np.where(w > 0.0, w, 1.0), times),
-        )
-        place = self.start[:, None] * cosine + self.speed[:, None] * sine
-        rate = self.speed[:, None] * cosine - self.start[:, None] * w**2 * sine
-        return self.shapes @ place + self.apart[:, None], self.shapes @ rate
-
-    def of(self, contact: int) -> OneOverlap:
-        """The overlap of one contact."""
-        shape = self.shapes[contact]
-        parts = self.frequencies.tolist(), (shape * self.start).tolist(), (shape * self.speed).tolist()
-        return OneOverlap(((0.0, float(self.apart[contact]), 0.0), *zip(*parts, strict=True)))
-
-
-@dataclass(frozen=True, slots=True)
-class OneOverlap:
-    """One overlap in time: (frequency, start, speed) of each mode. For single times plain sums are faster than arrays."""
-
-    modes: tuple[tuple[float, float, float], ...]
-
-    def overlap(self, time: float) -> float:
-        return sum(
-            a * math.cos(w * time) + (b * math.sin(w * time) / w if w else b * time) for w, a, b in self.modes
-        )
-
-    def rate(self, time: float) -> float:
-        return sum(b * math.cos(w * time) - a * w * math.sin(w * time) for w, a, b in self.modes)
-
-
-def normal_modes(line: RowOfBodies, touching: Flags, overlaps: Array, rates: Array) -> NormalModes:
-    """The motion of the overlaps while exactly these contacts touch.
-
-    overlap'' = -M K overlap, where M couples neighbours by their inverse masses and K holds the springs that touch. With
-    M = L L^T the matrix L^T K L is symmetric, so its modes are orthogonal however unequal the masses are. Every open contact
-    gives one mode that does not oscillate.
-    """
-    inverse = np.array([1.0 / m for m in line.masses])
-    coupling = np.diag(inverse[:-1] + inverse[1:]) - np.diag(inverse[1:-1], 1) - np.diag(inverse[1:-1], -1)
-    try:
-        lower = np.linalg.cholesky(coupling)
-    except np.linalg.LinAlgError:
-        raise GuardFailed(
-            "Beside the lightest one nothing is left of the others. Make the masses less unequal."
-        ) from None
-    springs = np.array([c.k for c in line.contacts]) * touching
-    squares, modes = np.linalg.eigh(lower.T @ (springs[:, None] * lower))
-    squares[: int(np.sum(~touching))] = 0.0
-    return NormalModes(
-        lower @ modes,
-        np.sqrt(np.maximum(squares, 0.0)),
-        modes.T @ np.linalg.solve(lower, np.where(touching, overlaps, 0.0)),
-        modes.T @ np.linalg.solve(lower, rates),
-        np.where(touching, 0.0, overlaps),
-    )
+CELL = 0.05
+# So many cells are looked at together: few at first, for what is light opens soon again.
+FIRST_CELLS, MOST_CELLS = 32, 256
 
 
 @np.errstate(all="ignore")  # what leaves the range of a computer is found in the values
@@ -133,9 +57,11 @@ def _follow(line: RowOfBodies) -> RowResult:
     touching = overlaps >= 0.0
     largest = np.maximum(overlaps, 0.0)
     time, began, ended, openings, strain = 0.0, math.inf, 0.0, 0, 0.0
-    opens = 0.0
-    for _ in range(MOST_PHASES):
-        awake = touching & ((overlaps > NOISE) | (rates > NOISE))
+    opens, noise, known = 0.0, np.zeros(len(rates)), np.zeros(len(rates))
+    swings: dict[bytes, Swings] = {}
+    most = MOST_PHASES * LONG // max(LONG, len(line.masses))
+    for _ in range(most):
+        awake = touching & ((overlaps > noise) | (rates > NOISE))
         if not awake.any():
             closing = np.where(
                 rates > NOISE, np.maximum(-overlaps, 0.0) / np.where(rates > NOISE, rates, 1.0), np.inf
@@ -149,7 +75,12 @@ def _follow(line: RowOfBodies) -> RowResult:
             overlaps, touching = overlaps + rates * closing[j], np.arange(len(rates)) == j
             overlaps[j] = 0.0
         began = min(began, time)
-        motion = normal_modes(line, touching, overlaps, rates)
+        at_once = touching.tobytes()
+        if at_once not in swings:
+            swings[at_once] = Swings.of(line, touching)
+        motion = swings[at_once].begun(touching, overlaps, rates)
+        noise = motion.noise
+        known = np.where(touching, np.maximum(known, noise / NOISE), 0.0)
         j, lasted, maxima = _until_change(motion, touching)
         largest = np.maximum(largest, maxima)
         overlaps, rates = (values[:, 0] for values in motion.at(np.array([lasted])))
@@ -157,10 +88,11 @@ def _follow(line: RowOfBodies) -> RowResult:
         overlaps[j] = 0.0
         openings += int(touching[j])
         if touching[j]:
-            ended, opens = time, 1.0 / max(abs(float(rates[j])), NOISE)
+            fast = max(abs(float(rates[j])), NOISE)
+            ended, opens = time, (float(known[j]) + 1.0 / float(motion.frequencies.max())) / fast
         touching = touching ^ (np.arange(len(rates)) == j)
     raise GuardFailed(
-        f"The springs opened and closed {MOST_PHASES} times without an end. Make the masses less unequal."
+        f"The springs opened and closed {most} times without an end. Make the masses less unequal."
     )
 
 
@@ -169,16 +101,17 @@ def _until_change(motion: NormalModes, touching: Flags) -> tuple[int, float, Arr
     cell = CELL / float(motion.frequencies.max())
     sign = np.where(touching, 1.0, -1.0)[:, None]
     maxima = np.zeros(len(touching))
-    for block in range(MOST_BLOCKS):
-        times = cell * (CELLS * block + np.arange(CELLS + 1))
+    begin, cells = 0, FIRST_CELLS
+    for _ in range(MOST_BLOCKS):
+        times = cell * (begin + np.arange(cells + 1))
         overlaps, rates = motion.at(times)
         # Turned so that every contact, open or closed, changes when its value falls through zero.
         values, slopes = sign * overlaps, sign * rates
-        falls = (values[:, 1:] < -NOISE) | (
-            (values[:, 1:] > -NOISE) & _dips(motion, times, values, slopes, sign)
-        )
-        found = [(int(np.argmax(row)), j) for j, row in enumerate(falls) if row.any()]
-        stop = min(i for i, _ in found) + 1 if found else CELLS
+        falls = values[:, 1:] < -motion.noise[:, None]
+        falls |= ~falls & _dips(motion, times, values, slopes, sign)
+        first = int(falls.any(axis=0).argmax())
+        found = bool(falls[:, first].any())
+        stop = first + 1 if found else cells
         for j, i in zip(
             *np.nonzero(touching[:, None] & (rates[:, :stop] > 0.0) & (rates[:, 1 : stop + 1] <= 0.0)),
             strict=True,
@@ -186,13 +119,20 @@ def _until_change(motion: NormalModes, touching: Flags) -> tuple[int, float, Arr
             alone = motion.of(int(j))
             maxima[j] = max(maxima[j], alone.overlap(_zero(alone.rate, float(times[i]), float(times[i + 1]))))
         if found:
-            left, right = float(times[stop - 1]), float(times[stop])
             moment, j = min(
-                (_falling_zero(motion.of(j), float(sign[j, 0]), left, right), j)
-                for i, j in found
-                if i == stop - 1
+                (
+                    _falling_zero(
+                        motion.of(j),
+                        float(sign[j, 0]),
+                        float(motion.noise[j]),
+                        *_around(times, values[j], first),
+                    ),
+                    j,
+                )
+                for j in np.flatnonzero(falls[:, first]).tolist()
             )
             return j, moment, maxima
+        begin, cells = begin + cells, min(2 * cells, MOST_CELLS)
     raise GuardFailed(
         "Beside how fast the lightest one swings the others hardly move. Make the masses less unequal."
     )
@@ -201,26 +141,35 @@ def _until_change(motion: NormalModes, touching: Flags) -> tuple[int, float, Arr
 def _dips(motion: NormalModes, times: Array, values: Array, slopes: Array, sign: Array) -> Flags:
     """Cells inside which a value falls below zero and is back at the end: those with a minimum, looked at closely."""
     dips = np.zeros((len(values), len(times) - 1), dtype=bool)
-    near = values[:, 1:] < CELL**2 * np.abs(values).max(axis=1, initial=NOISE)[:, None]
+    # Where it bends upward it stays above its tangents; with twice their slopes there is something to spare.
+    lasts = times[1] - times[0]
+    near = (values[:, :-1] < -2.0 * lasts * slopes[:, :-1]) | (values[:, 1:] < 2.0 * lasts * slopes[:, 1:])
     for j, i in zip(*np.nonzero((slopes[:, :-1] < 0.0) & (slopes[:, 1:] > 0.0) & near), strict=True):
         alone, turn = motion.of(int(j)), float(sign[j, 0])
         low = _zero(
             lambda t, alone=alone, turn=turn: -turn * alone.rate(t), float(times[i]), float(times[i + 1])
         )
-        dips[j, i] = turn * alone.overlap(low) < -NOISE
+        dips[j, i] = turn * alone.overlap(low) < -motion.noise[j]
     return dips
 
 
-def _falling_zero(alone: OneOverlap, sign: float, left: float, right: float) -> float:
+def _around(times: Array, values: Array, i: int) -> tuple[float, float]:
+    """The ends of the cell in which a value that falls below its noise in cell i falls through zero: that one, or one before."""
+    before = np.flatnonzero(values[: i + 1] > 0.0)
+    left = int(before[-1]) if len(before) else 0
+    return float(times[left]), float(times[left + 1])
+
+
+def _falling_zero(alone: OneOverlap, sign: float, noise: float, left: float, right: float) -> float:
     def value(t: float) -> float:
         return sign * alone.overlap(t)
 
-    if value(left) <= NOISE and sign * alone.rate(left) > 0.0 > sign * alone.rate(right):
+    if value(left) <= noise and sign * alone.rate(left) > 0.0 > sign * alone.rate(right):
         # It has just changed, rises, and falls again within the cell: look beyond its highest point.
         left = _zero(lambda t: sign * alone.rate(t), left, right)
     if value(left) <= 0.0:
         return left
-    if value(right) > -NOISE:  # it dips between: fall to the lowest point only
+    if value(right) > -noise:  # it dips between: fall to the lowest point only
         right = _zero(lambda t: -sign * alone.rate(t), left, right)
     return _zero(value, left, right)
 
