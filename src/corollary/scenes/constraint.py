@@ -5,6 +5,7 @@ Rows are over the generalized velocity: all velocities body after body, then all
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
@@ -21,7 +22,7 @@ class Constraint:
     """A gap (m) that is never negative or, with `two_sided`, always zero; the bodies are held by a force along its row.
 
     d(gap)/dt = row . velocity + driven, and d2(gap)/dt2 = row . acceleration + drift. What closes with a speed opens again with
-    `restitution` times that.
+    `restitution` times that, or with up to the part `less` less, another one each time: what comes of a run that differs by so much.
     """
 
     name: str
@@ -32,6 +33,11 @@ class Constraint:
     driven: Callable[[float], float] = still
     restitution: float = 0.0
     two_sided: bool = False
+    less: float = 0.0
+
+    def gives_back(self, time: float) -> float:
+        """The share of a speed that it opens with after a hit at a time (s)."""
+        return self.restitution * (1.0 - self.less * (1e3 * math.frexp(time)[0] % 1.0))
 
 
 @dataclass(frozen=True, slots=True)

@@ -42,6 +42,9 @@ GENTLE, STEEP = 3.0, 1e-8
 """Contacts of a higher power set in so steeply that coarse steps pass over it, in both runs alike: this is the coarsest tolerance then."""
 BY_TOUCH = 10.0
 """So many times what a step may be off is what a slight touch, or the root that a parting ends in, has cost: by benchmarks/calibration.py."""
+HIT = 1e-12
+"""Hits of the coarser run give back less by such a part, some thousand roundings: flights from one to the next are followed exactly by any steps, and two
+runs would round them alike, however much what follows makes of it."""
 ROUNDED = 2.0
 """So many roundings of a place show in an overlap, whose force hands them on."""
 BOUNCED = 0.2
@@ -66,12 +69,12 @@ def _paths(scene: Scene, tolerance: float) -> tuple[float, Trajectory, Trajector
 def _followed(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, Trajectory | None]:
     fine = max(tolerance / FINER, FINEST)
     with part(0.0, 0.25):
-        rough = follow(scene, max(tolerance, FINER * FINEST), share=FEWER)
+        rough = follow(scene, max(tolerance, FINER * FINEST), share=FEWER, less=HIT)
     with part(0.25, 0.7):
         right = follow(scene, fine)
     try:
         with part(0.7, 0.95):
-            other = follow(perturbed(scene), max(tolerance, FINER * FINEST), share=FEWER)
+            other = follow(perturbed(scene), max(tolerance, FINER * FINEST), share=FEWER, less=CHANGED)
     except (BadSetting, GuardFailed):
         other = None
     return rough, right, other

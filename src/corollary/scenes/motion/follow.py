@@ -14,11 +14,12 @@ from corollary.scenes.motion.guards import Guard, Guards
 from corollary.scenes.motion.modes import Moment
 from corollary.scenes.motion.own_forces import overlooked
 from corollary.scenes.motion.path import Happening, Stretch, Trajectory
+from corollary.scenes.motion.projection import drifted
 from corollary.scenes.motion.reversal import turned
 from corollary.scenes.motion.sizes import least_squeeze, sizes_of
 from corollary.scenes.motion.steps import Stepper
 from corollary.scenes.motion.system import Mode, Slope, System
-from corollary.scenes.motion.ties import shift_all
+from corollary.scenes.motion.ties import damp_all, shift_all
 from corollary.scenes.progress import tell
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.scene import Scene, overlap, start_of
@@ -34,7 +35,9 @@ MOST_AGAIN = 100
 class Follower:
     """A scene followed from its start to `until`, or until nothing touches and nothing will. See `follow`."""
 
-    def __init__(self, scene: Scene, tolerance: float, shift: float = 0.0, share: float = 1.0) -> None:
+    def __init__(
+        self, scene: Scene, tolerance: float, shift: float = 0.0, share: float = 1.0, less: float = 0.0
+    ) -> None:
         self.scene, self.tolerance = scene, tolerance
         self.system = System(scene)
         if scene.until is None and not (scene.contacts == scene.forces and len(scene.bodies) > 1):
@@ -44,8 +47,8 @@ class Follower:
         self.path = Trajectory(self.system.count, state=start_of(scene))
         self.at_once, self.again = 0, 0
         self.sizes = sizes_of(self.system, tolerance, shift)
-        if shift:
-            shift_all(self.system, shift, self.sizes.tie)
+        shift_all(self.system, shift, self.sizes.tie)
+        damp_all(self.system, less)
         self.path.allowed, self.path.near = tolerance * self.sizes.place, self.sizes.doubt
         self.path.fast, self.path.long = self.sizes.fast, self.sizes.long
         self.path.deep = self.sizes.deep if self.system.contacts else math.inf
@@ -160,7 +163,7 @@ class Follower:
             over = self.scene.until is None and self._over()
             if over or self.steps.too_slow(self._left(), stretch):
                 return mode
-            if self._drifted(mode):
+            if drifted(system, path.time, path.state, mode, self.sizes, 0.1 * self.tolerance):
                 now = Moment(system, path.time, list(path.state), self.sizes, mode)
                 return self._decide(now, mode.touching, mode.sides)
 
@@ -246,16 +249,6 @@ class Follower:
                 pass
         return self._decide(moment, tuple(touching), tuple(sides))
 
-    def _drifted(self, mode: Mode) -> bool:
-        """Whether steps have moved bodies off what holds them by more than is allowed to one."""
-        path = self.path
-        return any(
-            abs(c.gap(path.time, path.state)) > 0.1 * self.tolerance * self.sizes.place
-            or abs(self.system.rate(path.time, path.state, c)) > 0.1 * self.tolerance * self.sizes.fast
-            for c, status in zip(self.system.constraints, mode.held, strict=True)
-            if status == "on"
-        )
-
     def _add(self, stretch: Stretch) -> None:
         path = self.path
         path.stretches.append(stretch)
@@ -278,17 +271,19 @@ class Follower:
             )
 
 
-def follow(scene: Scene, tolerance: float, shift: float = 0.0, share: float = 1.0) -> Trajectory:
+def follow(
+    scene: Scene, tolerance: float, shift: float = 0.0, share: float = 1.0, less: float = 0.0
+) -> Trajectory:
     """The scene from its start to `until`, or until nothing touches and nothing will.
 
-    With `shift` (m) every touch happens that much later, or earlier where it is negative: what a grazing touch depends on.
-    `tolerance` is the error allowed to a step, relative to the size of the velocities and of the places (or overlaps) in the scene.
-    It is given up after a `share` of the steps that are allowed. With an `until` each step tells how far it has got (`corollary.scenes.progress`).
+    With `shift` (m) every touch happens that much later, or earlier where it is negative; hits give back up to a part `less` less.
+    `tolerance` is the error allowed to a step, relative to the size of velocities and places (or overlaps); a `share` of all steps is allowed.
+    With an `until` each step tells how far it has got (`corollary.scenes.progress`).
     Raises BadSetting for a start that is impossible, GuardFailed when energy is lost, bodies overlap without a force, no forces of
     rigid bodies are consistent, or the end is not reached.
     """
     try:
-        return Follower(scene, tolerance, shift, share).run()
+        return Follower(scene, tolerance, shift, share, less).run()
     except NoForce as error:
         raise GuardFailed(str(error)) from error
     except (OverflowError, ZeroDivisionError, ValueError, np.linalg.LinAlgError) as error:

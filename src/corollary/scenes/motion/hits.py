@@ -79,7 +79,7 @@ def _hit(system: System, time: float, y: list[float], near: Sequence[int], slow:
         for i in group:
             c, rate = system.constraints[i], rates[i]
             row = np.array([c.row(time, y)])
-            bias = rate * (1.0 + c.restitution) if rate < 0.0 and not c.two_sided else rate
+            bias = rate * (1.0 + c.gives_back(time)) if rate < 0.0 and not c.two_sided else rate
             may: tuple[Status, ...] = ("on",) if c.two_sided else ("on", "off")
             items.append(Item(c.name, row, np.array([bias]), may, two_sided=c.two_sided))
         for k, rub in enumerate(system.rubs):

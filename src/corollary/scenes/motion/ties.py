@@ -15,7 +15,7 @@ from corollary.scenes.motion.path import Doubt, Trajectory
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, System
 from corollary.scenes.run import GuardFailed
-from corollary.scenes.scene import Scene, start_of
+from corollary.scenes.scene import Conserves, Scene, start_of
 
 SENTENCES: dict[Doubt, str] = {
     "graze": "a touch grazes at about {:.6g} s: whether it happens is within the error, and in the errors stated",
@@ -51,10 +51,18 @@ def shift_all(system: System, shift: float, tie: float) -> None:
 
     The first wall is shifted by that, the second by twice as much, and so on: hits all but at one moment come in this order or the other.
     """
+    if not shift:
+        return
     start = start_of(system.scene)
     system.constraints = [farther_off(c, start, i * shift) for i, c in enumerate(system.constraints, 1)]
     system.rubs = [leaned(rub, math.copysign(2.0 * tie, shift)) for rub in system.rubs]
     system.rival = 0 if shift > 0.0 else 1
+
+
+def damp_all(system: System, less: float) -> None:
+    """Let hits give back up to a part `less` less; where energy is conserved nothing forgets how it began, and they stay as they are."""
+    if less and Conserves.ENERGY not in system.scene.conserves:
+        system.constraints = [replace(c, less=less) for c in system.constraints]
 
 
 def tied(items: Sequence[Item], statuses: Sequence[Status], inverse: Array, share: float) -> bool:
