@@ -274,6 +274,8 @@ def test_verify_says_all_of_it_and_goes_on(run, bank):
         (["scene", "cradle", "--set", "M=1", "--json"], ["'M' is not among its settings"]),
         (["scene", "cradle", "--set", "m=-1", "--json"], ["must be more than 0"]),
         (["scene", "cradle", "--set", "m=heavy", "--json"], ["write it as name=number"]),
+        (["scene", "cradle", "--set", "q=1_5", "--json"], ["q=1_5", "write it as name=number"]),
+        (["scene", "cradle", "--set", "q=\uff11", "--json"], ["write it as name=number"]),
         (["scene", "cradle", "--tolerance", "nan", "--json"], ["cannot be held"]),
         (
             ["grade", "week_1", "--course", "nowhere", "--json"],

@@ -111,7 +111,8 @@ def _numbers(name: str, text: str) -> float | tuple[float, ...]:
         numbers = tuple(float(each) for each in text.strip("[]() ").split(",") if each.strip())
     except ValueError:
         numbers = ()
-    if not numbers:
+    # Python reads 1_5 as fifteen, and figures of every script; who types such a thing has slipped.
+    if not numbers or "_" in text or not text.isascii():
         refuse(f"--set {name}={text}: write it as {FORM}")
     return numbers if "," in text else numbers[0]
 

@@ -164,7 +164,8 @@ def row(settings: Settings, name: str, count: int, what: str) -> tuple[float, ..
     if not isinstance(value, tuple):
         return (value,) * count
     if len(value) != count:
-        raise BadSetting(f"{name} has {len(value)} numbers, but there are {count} {what}.")
+        numbers = "1 number" if len(value) == 1 else f"{len(value)} numbers"
+        raise BadSetting(f"{name} has {numbers}, but there are {count} {what}.")
     return value
 
 
