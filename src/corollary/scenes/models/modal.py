@@ -57,7 +57,7 @@ def _follow(line: RowOfBodies) -> RowResult:
     touching = overlaps >= 0.0
     largest = np.maximum(overlaps, 0.0)
     time, began, ended, openings, strain = 0.0, math.inf, 0.0, 0, 0.0
-    opens, noise, known = 0.0, np.zeros(len(rates)), np.zeros(len(rates))
+    opens, noise, swung = 0.0, np.zeros(len(rates)), np.zeros(len(rates))
     swings: dict[bytes, Swings] = {}
     most = MOST_PHASES * LONG // max(LONG, len(line.masses))
     for _ in range(most):
@@ -75,12 +75,12 @@ def _follow(line: RowOfBodies) -> RowResult:
             overlaps, touching = overlaps + rates * closing[j], np.arange(len(rates)) == j
             overlaps[j] = 0.0
         began = min(began, time)
-        at_once = touching.tobytes()
-        if at_once not in swings:
-            swings[at_once] = Swings.of(line, touching)
-        motion = swings[at_once].begun(touching, overlaps, rates)
+        which = touching.tobytes()
+        if which not in swings:
+            swings[which] = Swings.of(line, touching)
+        motion = swings[which].begun(touching, overlaps, rates)
         noise = motion.noise
-        known = np.where(touching, np.maximum(known, noise / NOISE), 0.0)
+        swung = np.where(touching, np.maximum(swung, noise / NOISE), 0.0)
         j, lasted, maxima = _until_change(motion, touching)
         largest = np.maximum(largest, maxima)
         overlaps, rates = (values[:, 0] for values in motion.at(np.array([lasted])))
@@ -88,8 +88,9 @@ def _follow(line: RowOfBodies) -> RowResult:
         overlaps[j] = 0.0
         openings += int(touching[j])
         if touching[j]:
-            fast = max(abs(float(rates[j])), NOISE)
-            ended, opens = time, (float(known[j]) + 1.0 / float(motion.frequencies.max())) / fast
+            # What is off in its overlap, and in its rate, as a part of what it swings by.
+            off = float(swung[j]) + 1.0 / float(motion.frequencies.max())
+            ended, opens = time, off / max(abs(float(rates[j])), NOISE)
         touching = touching ^ (np.arange(len(rates)) == j)
     raise GuardFailed(
         f"The springs opened and closed {most} times without an end. Make the masses less unequal."

@@ -136,7 +136,8 @@ def rub_less(
     of a body that nothing else holds; what it slips meanwhile is then spread over the time that is watched.
     """
     inverse, off = system.inverse(time), 0.0
-    most = max((rub.static for rub in system.rubs), default=0.0)
+    most = max((rub.kinetic for rub in system.rubs), default=0.0)
+    held = max((rub.static for rub in system.rubs), default=0.0)
     for i, (rate, lasts) in slow.items():
         c, sure = system.constraints[i], _alone(system, mode, i)
         for k, way in enumerate(mode.rubbed):
@@ -149,7 +150,7 @@ def rub_less(
             slip, faster = system.slip(time, y, k), gained(system, time, y, mode, k)
             sure = sure and float(np.array(way) @ (slip + lasts * faster)) > 0.0
         spread = lasts / (1.0 - c.restitution) / (system.scene.until or math.inf)
-        off = max(off, 2.0 * most * rate * (spread if sure else 1.0))
+        off = max(off, 2.0 * rate * (held * spread if sure else most))
     return off
 
 
