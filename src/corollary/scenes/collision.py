@@ -214,7 +214,7 @@ def _doubts(
     if slow:
         which = ", ".join(slow[:3]) + (" and others" if slow[3:] else "")
         doubts.append(
-            f"Bodies {which} are left with no relative velocity that is known: a later touch, as slow, would not be in the duration."
+            f"Bodies {which} are left with no relative velocity that is known: a later touch, as slow, would not be in the duration, nor in the largest overlap and force."
         )
     return tuple(doubts)
 
