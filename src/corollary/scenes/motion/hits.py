@@ -11,7 +11,7 @@ from corollary.scenes.constraint import State
 from corollary.scenes.motion.complementarity import settled
 from corollary.scenes.motion.multipliers import Item, Status, answer
 from corollary.scenes.motion.reversal import accelerations, gained
-from corollary.scenes.motion.sizes import Sizes
+from corollary.scenes.motion.sizes import Sizes, last_digit
 from corollary.scenes.motion.system import Array, Mode, System
 from corollary.scenes.run import GuardFailed
 
@@ -116,7 +116,7 @@ def small_bounces(
     if not opening:
         return {}
     # Where bodies have got to places are not known as finely as where they began.
-    low = max(sizes.bounce, 64.0 * math.ulp(max(map(abs, y[: system.count]))))
+    low = max(sizes.bounce, 64.0 * last_digit(y[: system.count]))
     acceleration = accelerations(system, time, y, mode)
     slow: dict[int, tuple[float, float]] = {}
     for i, rate in opening.items():

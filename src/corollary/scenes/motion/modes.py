@@ -17,7 +17,7 @@ from corollary.scenes.motion.path import Doubt
 from corollary.scenes.motion.projection import project, push_out, same_twice
 from corollary.scenes.motion.reversal import left_over, not_yet, slid, unseen
 from corollary.scenes.motion.rivals import rivals
-from corollary.scenes.motion.sizes import Sizes
+from corollary.scenes.motion.sizes import Sizes, last_digit
 from corollary.scenes.motion.system import Array, Mode, System
 from corollary.scenes.motion.ties import crowded, tied
 from corollary.scenes.run import GuardFailed
@@ -112,7 +112,7 @@ class Moment:
     def _near(self) -> list[int]:
         """The constraints whose gap is closed, as far as the places tell, which may have got far from where they began."""
         known = enumerate(self.system.constraints)
-        near = max(self.sizes.gap, 16.0 * math.ulp(max(map(abs, self.y[: self.system.count]))))
+        near = max(self.sizes.gap, 16.0 * last_digit(self.y[: self.system.count]))
         return [i for i, c in known if c.two_sided or c.gap(self.time, self.y) <= near]
 
     def _settle_forces(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode:

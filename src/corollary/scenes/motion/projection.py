@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from corollary.scenes.constraint import State
-from corollary.scenes.motion.sizes import Sizes
+from corollary.scenes.motion.sizes import Sizes, last_digit
 from corollary.scenes.motion.system import Array, Mode, System
 
 # So many last digits of places and velocities are what rounding leaves of none.
@@ -47,9 +46,8 @@ def project(
 
 def drifted(system: System, time: float, y: list[float], mode: Mode, sizes: Sizes, part: float) -> bool:
     """Whether steps have moved bodies off what holds them by more than such a part of the sizes of the scene, and than rounding does."""
-    places, velocities = y[: system.count], system.velocity(y)
-    far = max(part * sizes.place, *(ROUNDED * math.ulp(x) for x in places))
-    fast = max(part * sizes.fast, *(ROUNDED * math.ulp(v) for v in velocities))
+    far = max(part * sizes.place, ROUNDED * last_digit(y[: system.count]))
+    fast = max(part * sizes.fast, ROUNDED * last_digit(system.velocity(y)))
     return any(
         abs(c.gap(time, y)) > far or abs(system.rate(time, y, c)) > fast
         for c, status in zip(system.constraints, mode.held, strict=True)

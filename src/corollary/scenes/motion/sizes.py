@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import Rub
@@ -78,6 +79,11 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
         tie=max(GRAZING * tolerance, 1e-9),
         shift=shift,
     )
+
+
+def last_digit(values: Sequence[float]) -> float:
+    """The rounding of the largest of places (m), or velocities (m/s): as bodies get far from where they began, it grows."""
+    return math.ulp(max(map(abs, values)))
 
 
 def _gets(long: float, gained: float, until: float | None) -> float:
