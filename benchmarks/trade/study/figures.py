@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 
 from corollary.figure.colour import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILLION
 
+from .labels import name_curves
 from .measured import FAMILIES, Timed, from_rows
 from .summary import Curves, cost, costs, curves, error_of, evaluations_of, planned, spread
 
@@ -46,15 +47,28 @@ def drawn(document: dict[str, Any], folder: Path) -> None:
             figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
 
 
-def methods_of(family: str, found: Curves) -> list[tuple[str, str, str]]:
-    """The few that are drawn, with label and colour: ours, scipy's best known, an implicit one, Taylor, the chapter's loop."""
+NAMED = {
+    BLUE: "Corollary",
+    VERMILLION: "DOP853",
+    ORANGE: "LSODA",
+    GREEN: "Radau",
+    PURPLE: "heyoka",
+    BLACK: "chapter's loop",
+}
+PANEL = (190.0, 165.0)
+"""About the size of a panel of the first figure, in points."""
+
+
+def methods_of(family: str, found: Curves) -> list[tuple[str, str]]:
+    """The few that are drawn, with their colours: ours, scipy's, Taylor, the chapter's loop; Radau only where motion is stiff."""
     ends = " events" if (family, "DOP853 events") in found else ""
     return [
-        (planned(family), "Corollary", BLUE),
-        (f"DOP853{ends}", "DOP853", VERMILLION),
-        (f"Radau{ends}", "Radau", GREEN),
-        ("heyoka", "heyoka", PURPLE),
-        ("book compiled", "chapter's loop", BLACK),
+        (planned(family), BLUE),
+        (f"DOP853{ends}", VERMILLION),
+        (f"LSODA{ends}", ORANGE),
+        *([(f"Radau{ends}", GREEN)] if family == "fluid" else []),
+        ("heyoka", PURPLE),
+        ("book compiled", BLACK),
     ]
 
 
@@ -65,10 +79,11 @@ def work(found: Curves) -> Figure:
     figure.suptitle(_finding(found, families), fontsize=11, x=0.01, ha="left")
     grid = figure.subplots(2, 3, sharey=True).ravel()
     for axes, family in zip(grid, families, strict=False):
-        for method, label, colour in methods_of(family, found):
+        axes.set(xscale="log", yscale="log", ylim=(1e-16, 3.0), xlim=(40, 6e5))
+        for method, colour in methods_of(family, found):
             if (family, method) in found:
-                _curve(axes, list(found[family, method].values()), label, colour)
-        axes.set(xscale="log", yscale="log", ylim=(1e-15, 3.0), xlim=(40, 6e5))
+                _curve(axes, list(found[family, method].values()), colour)
+        name_curves(axes, NAMED, PANEL)
         axes.set_title(NAMES[family], fontsize=9.5, loc="left")
     for axes in grid[len(families) :]:
         axes.set_visible(False)
@@ -103,7 +118,7 @@ def _finding(found: Curves, families: list[str]) -> str:
     )
 
 
-def _curve(axes: Any, draws: list[list[Timed]], label: str, colour: str) -> None:
+def _curve(axes: Any, draws: list[list[Timed]], colour: str) -> None:
     points = []
     for same in zip(*draws, strict=False):
         good = [run for run in same if run.outcome == "found" and math.isfinite(error_of(run))]
@@ -114,23 +129,8 @@ def _curve(axes: Any, draws: list[list[Timed]], label: str, colour: str) -> None
         return
     x, low, middle, high = zip(*points, strict=True)
     axes.fill_between(x, low, high, color=colour, alpha=0.12, linewidth=0)
-    wide = 2.2 if label == "Corollary" else 1.2
+    wide = 2.2 if colour == BLUE else 1.2
     axes.plot(x, middle, color=colour, linewidth=wide, marker="o", markersize=2.5)
-    side = "right" if label in ("DOP853", "heyoka") else "left"
-    end = (x[-1], max(middle[-1], 4e-15))
-    above = 9 * sum(
-        each.get_ha() == side and math.dist(np.log10(each.xy), np.log10(end)) < 1 for each in axes.texts
-    )
-    axes.annotate(
-        label,
-        end,
-        (-4, above - 4) if side == "right" else (4, above + 2),
-        textcoords="offset points",
-        color=colour,
-        fontsize=8,
-        ha=side,
-        annotation_clip=False,
-    )
 
 
 def stated(runs: list[Timed]) -> Figure:

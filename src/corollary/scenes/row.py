@@ -146,8 +146,12 @@ def conserved(line: RowOfBodies, overlaps: Sequence[float], velocities: Sequence
     return energy, math.fsum(m * v for m, v in loose), math.fsum(abs(m * v) for m, v in loose)
 
 
-def guard(line: RowOfBodies, before: Conserved, after: Conserved, tolerance: float) -> None:
-    """Refuse a motion that lost momentum, or gained energy, or (without damping) lost some.
+# What rounding may do to the momentum of a row, of itself: in a short run, and for each look at the forces of a long one.
+LOST, LOST_EACH = 1e-12, 1e-17
+
+
+def guard(line: RowOfBodies, before: Conserved, after: Conserved, tolerance: float, evaluations: int) -> None:
+    """Refuse a motion that lost momentum, or gained energy, or (without damping) lost some, in so many evaluations of its forces.
 
     Raises GuardFailed. The line is in natural units, so `tolerance` is a relative one.
     """
@@ -157,7 +161,11 @@ def guard(line: RowOfBodies, before: Conserved, after: Conserved, tolerance: flo
             f"The run changed the energy by {gained:.1e} of itself; {tolerance:.1e} is allowed. Ask for less."
         )
     lost, size = after[1] - before[1], after[2] + before[2]
-    if abs(lost) > 1e-12 * size and line.weight == 0.0 and math.inf not in line.masses:
+    if (
+        abs(lost) > (LOST + LOST_EACH * evaluations) * size
+        and line.weight == 0.0
+        and math.inf not in line.masses
+    ):
         raise GuardFailed(
             f"The run changed the momentum by {lost / size:.1e} of itself; no force from outside acts."
         )

@@ -13,7 +13,7 @@ from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import row_motion
 from corollary.scenes.integrate.regularised import collide
 from corollary.scenes.models import modal, two_bodies
-from corollary.scenes.row import RowOfBodies, conserved
+from corollary.scenes.row import RowOfBodies, conserved, guard
 from corollary.scenes.run import GuardFailed
 
 REFERENCES = json.loads((Path(__file__).parent.parent / "references.json").read_text())
@@ -227,6 +227,14 @@ def test_steps_that_lose_momentum_but_no_energy_are_found_out(monkeypatch):
     with_wrong_steps(monkeypatch, lambda u, v, w: (c * u - s * v, s * u + c * v, w))
     with pytest.raises(GuardFailed, match="the momentum by"):
         collide(THREE)
+
+
+def test_what_many_steps_round_off_the_momentum_is_no_fault():
+    """A light ball thrown to and fro between heavy ones takes a million evaluations; each rounds."""
+    before, after = (1.0, 1.0, 1.0), (1.0, 1.0 - 4e-12, 1.0)
+    guard(THREE, before, after, 1e-9, 2_000_000)
+    with pytest.raises(GuardFailed, match="the momentum by"):
+        guard(THREE, before, after, 1e-9, 2_000)
 
 
 @pytest.mark.parametrize("wrong", [1e-6, -1e-6])

@@ -86,7 +86,7 @@ class LaidOut:
         if not all(map(math.isfinite, state)):
             raise OverflowError("a number of the collision is too large or too small")
         if end != row_motion.STICKS:
-            guard(self.line, before, after, 1e3 * tolerance + 1e-15 * evaluations)
+            guard(self.line, before, after, 1e3 * tolerance + 1e-15 * evaluations, evaluations)
         return RowResult(
             velocities=tuple(state[::2]),
             duration=ended - began if began < math.inf else 0.0,

@@ -211,7 +211,7 @@ def _arrived(
     unequal = max(1.0, 0.1 * math.sqrt(max(masses) / min(masses)))
     allowed = max(LEAST_ALLOWED, ALLOWED_EACH * len(velocities) * openings) * unequal
     before = conserved(line, [-gap for gap in line.gaps], line.velocities)
-    guard(line, before, conserved(line, [0.0] * len(rates), velocities), allowed)
+    guard(line, before, conserved(line, [0.0] * len(rates), velocities), allowed, 0)
     outcome: Outcome = "released" if openings else "missed"
     forces = tuple(c.k * float(d) for c, d in zip(line.contacts, largest, strict=True))
     return RowResult(velocities, max(duration, 0.0), tuple(map(float, largest)), forces, outcome, 0, openings)
