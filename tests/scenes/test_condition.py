@@ -36,6 +36,18 @@ def test_a_grazing_hit_is_announced_with_the_condition_it_has(near):
     assert conditioned("spheres", eta=0.0, dy=0.0).measured["velocities"].condition < 10.0
 
 
+@pytest.mark.parametrize("q", [1.0, 1.5])
+def test_the_numbers_of_a_row_are_moved_each_by_its_own_part(q):
+    """All masses times one factor leave the velocities as they are; that of a light ball between two heavy ones alone does not."""
+    masses = (0.3, 1e-4, 0.2)
+    found = conditioned("cradle", q=q, masses=masses)
+    other = run("cradle", {"q": q, "masses": (masses[0], masses[1] * (1.0 - 1e-6), masses[2])})
+    pairs = zip(found.observed["velocities"], other.observed["velocities"], strict=True)
+    alone = max(abs(a - b) for a, b in pairs) / 1e-6 / found.measured["velocities"].size
+    assert alone > 20.0
+    assert alone < found.measured["velocities"].condition < 3.0 * alone
+
+
 def test_an_edge_within_the_rounding_of_the_settings_is_named():
     edge = math.sqrt(50.0 * 0.16 / (1.0 - 1.0 / 1.96))
     found = conditioned("atom", v0=edge * (1.0 + 1e-9))

@@ -61,8 +61,8 @@ def with_conditions(found: Run, tolerance: float) -> Run:
 def _moved(found: Run, tolerance: float) -> Iterator[tuple[str, Run]]:
     """Runs with settings moved, each for itself or all at once: where that is refused or makes another outcome, one half and the other.
 
-    Downward, so that a coefficient of restitution of one stays below its end, and upward where that is refused; at once, each by a part of
-    its own, for ratios are to change, too.
+    Downward, so that a coefficient of restitution of one stays below its end, and upward where that is refused. What is moved at once,
+    settings or the numbers of one, goes each by a part of its own, for ratios are to change, too.
     """
     names = [
         each.name
@@ -70,14 +70,14 @@ def _moved(found: Run, tolerance: float) -> Iterator[tuple[str, Run]]:
         if not each.whole and any(components(found.settings[each.name]))
     ]
     at_once = found.evaluations * len(names) > DEAR
-    parts = {name: 1.0 - APART * i % 1.0 if at_once else 1.0 for i, name in enumerate(names)}
+    parts = {name: _part(i) if at_once else 1.0 for i, name in enumerate(names)}
     groups = [names] if at_once else [[name] for name in names]
     reached, done = 0.0, 0
     while groups:
         group, other = groups.pop(0), None
         for way in (-MOVED, MOVED):
             begin, reached = reached, 0.5 * (reached + (done + len(group)) / len(names))
-            moved = {name: _times(found.settings[name], 1.0 + way * parts[name]) for name in group}
+            moved = {name: _changed(found.settings[name], way * parts[name]) for name in group}
             with suppress(BadSetting, GuardFailed), part(begin, reached):
                 other = run(found.scene, {**found.settings, **moved}, tolerance)
                 break
@@ -90,8 +90,15 @@ def _moved(found: Run, tolerance: float) -> Iterator[tuple[str, Run]]:
             yield group[0], other
 
 
-def _times(value: Observed, factor: float) -> Observed:
-    return tuple(factor * x for x in value) if isinstance(value, tuple) else factor * value
+def _changed(value: Observed, share: float) -> Observed:
+    """The same, a share more; of numbers in a row the first, and of the others each a part of it, by turns less and more."""
+    if isinstance(value, tuple):
+        return tuple(x * (1.0 + share * _part(i) * (-1) ** i) for i, x in enumerate(value))
+    return value * (1.0 + share)
+
+
+def _part(i: int) -> float:
+    return 1.0 - APART * i % 1.0
 
 
 def _change(found: Run, other: Run, name: str) -> float:
