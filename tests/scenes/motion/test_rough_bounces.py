@@ -59,4 +59,4 @@ def test_bounces_end_where_places_have_become_coarse():
     )  # fmt: skip
     begun = 3.4065027764534905 + 0.4 * 18.747411283493243 * 0.3
     assert down == pytest.approx((begun + G * until * math.sin(slope)) / 1.4, abs=1e-9)
-    assert (up, turned * 0.3) == (0.0, pytest.approx(down, abs=1e-9))
+    assert (up, turned * 0.3) == (pytest.approx(0.0, abs=1e-12), pytest.approx(down, abs=1e-9))

@@ -56,10 +56,10 @@ class Moment:
         """Settle hits, then what holds. Raises GuardFailed where no forces of rigid bodies are consistent."""
         if self.barred_rubs and (helped := self._helped(touching, sides)) is not None:
             return helped
-        if self.before is not None:
-            # What has been held until now, steps have left a little off.
-            project(self.system, self.time, self.y, *held_in(self.before))
-        push_out(self.system, self.time, self.y, self._near())
+        # What has been held until now, steps have left a little off.
+        held = held_in(self.before) if self.before is not None else ([], [])
+        project(self.system, self.time, self.y, *held)
+        push_out(self.system, self.time, self.y, self._near(), *held)
         self.doubts |= crowded(self.system, self.time, self.y, self._near(), self.sizes)
         slipping = slid(self.system, self.time, self.y, self.before, self.sizes.speed)
         self.hits += settle_hits(self.system, self.time, self.y, self._near(), self.sizes.speed)

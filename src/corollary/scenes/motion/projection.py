@@ -23,16 +23,8 @@ def project(
     slips: Sequence[float] | None = None,
 ) -> None:
     """Take out of the places and velocities what rounding and steps left against what holds: of rubs all slip, or these (m/s)."""
-    inverse = system.inverse(time)
-    rows = [system.constraints[i].row(time, y) for i in constraints]
-    if constraints:
-        gaps = [system.constraints[i].gap(time, y) for i in constraints]
-        matrix, weights = np.array(rows), inverse.copy()
-        weights[system.count :] = 0.0
-        moved = weights * (matrix.T @ _solved(matrix, weights, gaps))
-        for j, x in enumerate(moved.tolist()[: system.count]):
-            y[j] -= x
-        rows = [system.constraints[i].row(time, y) for i in constraints]
+    _put_on(system, time, y, constraints)
+    inverse, rows = system.inverse(time), [system.constraints[i].row(time, y) for i in constraints]
     speeds = [system.rate(time, y, system.constraints[i]) for i in constraints]
     for k in rubs:
         rows += system.rubs[k].rows(time, y)
@@ -55,17 +47,29 @@ def drifted(system: System, time: float, y: list[float], mode: Mode, sizes: Size
     )
 
 
-def push_out(system: System, time: float, y: list[float], near: Sequence[int]) -> None:
-    """Places that rounding left a little behind what stops them, of what is `near`, are put upon it."""
-    inverse, count = system.inverse(time), system.count
-    for i in near:
-        c = system.constraints[i]
-        if (gap := c.gap(time, y)) < 0.0 and not c.two_sided:
-            row = np.array(c.row(time, y))
-            row[count:] = 0.0
-            moved = inverse * row * (gap / float((row * inverse) @ row))
-            for j, x in enumerate(moved.tolist()[:count]):
-                y[j] -= x
+def push_out(
+    system: System, time: float, y: list[float], near: Sequence[int], held: Sequence[int], rubs: Sequence[int]
+) -> None:
+    """Places that rounding left a little behind what stops them, of what is `near`, are put upon it; what is `held`, or sticks, stays so."""
+    known = system.constraints
+    behind = [i for i in near if i not in held and not known[i].two_sided and known[i].gap(time, y) < 0.0]
+    if behind:
+        _put_on(system, time, y, [*held, *behind])
+        project(system, time, y, held, rubs)
+
+
+def _put_on(system: System, time: float, y: list[float], constraints: Sequence[int]) -> None:
+    """Close the gaps of constraints, twice, for they may bend."""
+    if not constraints:
+        return
+    weights = system.inverse(time).copy()
+    weights[system.count :] = 0.0
+    for _ in range(2):
+        gaps = [system.constraints[i].gap(time, y) for i in constraints]
+        matrix = np.array([system.constraints[i].row(time, y) for i in constraints])
+        moved = weights * (matrix.T @ _solved(matrix, weights, gaps))
+        for j, x in enumerate(moved.tolist()[: system.count]):
+            y[j] -= x
 
 
 def same_twice(system: System, time: float, y: State, pressed: Sequence[int]) -> bool:
