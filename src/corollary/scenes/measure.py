@@ -247,14 +247,12 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
     if what is Observable.PERIOD:
         return unequal(scene, path)
     if what is Observable.VELOCITIES:
-        return path.dropped + path.astray
+        return path.unsure
     if what is Observable.SPINS:
         turns = (b.mass * b.radius / b.resists_spin for b in scene.bodies if math.isfinite(b.resists_spin))
-        return (path.dropped + path.astray) * max([1.0, *filter(math.isfinite, turns)])
+        return path.unsure * max([1.0, *filter(math.isfinite, turns)])
     if what is Observable.TRAJECTORY:
         return path.astray * path.time + BOUNCED * len(path.rests) * path.allowed
     if what in (Observable.IMPULSE, Observable.MOMENTUM):
-        return (path.dropped + path.astray) * max(
-            (b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0
-        )
+        return path.unsure * max((b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0)
     return 0.0

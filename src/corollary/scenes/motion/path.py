@@ -171,6 +171,11 @@ class Trajectory:
         if self.time - self.calmed[0] <= BRIEF * self.time:
             self.astray = max(self.astray, self.calmed[1])
 
+    @property
+    def unsure(self) -> float:
+        """How far off (m/s) velocities may be for what was taken for rest, and what went on at once."""
+        return self.dropped + self.astray
+
     def hits_before(self, time: float) -> int:
         """How many hits there have been by a time (s)."""
         return sum(each.what.startswith("hit") and each.time <= time for each in self.happenings)
