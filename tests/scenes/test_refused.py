@@ -483,3 +483,32 @@ def test_a_potential_that_is_not_that_of_its_function_is_asked_for():
     force = ForceFunction(0, lambda t, x, v: (-x[0],), energy=lambda x: 0.6 * x[0] ** 2)
     with pytest.raises(GuardFailed, match="is a potential not that of its function"):
         play(Scene((Body(1.0, (1.0,), (0.0,)),), (force,), until=3.0), {O.VELOCITIES})
+
+
+@pytest.mark.parametrize("passes", [None, 0, [], "", ((0, 0),), [(0, 1)]])
+def test_what_passes_is_a_tuple_of_pairs(passes):
+    with pytest.raises(BadSetting, match="passes = "):
+        Scene(TWO, (), until=1.0, passes=passes)
+
+
+def test_a_radius_whose_square_no_double_holds_is_refused():
+    with pytest.raises(BadSetting, match="whose square no double holds"):
+        Scene(
+            (Body(1.0, (0.0, 1.0), (1.0, 0.0), 1e308),),
+            (Weight(9.8), HardWall((0.0, 1.0), mu=0.3)),
+            until=1.0,
+        )
+
+
+@pytest.mark.parametrize(
+    "error", [AssertionError("x"), RecursionError(), StopIteration(), NotImplementedError()]
+)
+@pytest.mark.parametrize("late", [-1.0, 0.5])
+def test_whatever_a_function_raises_it_is_named(error, late):
+    def pushes(t, x, v):
+        if t > late:
+            raise error
+        return (1.0, 0.0)
+
+    with pytest.raises((BadSetting, GuardFailed), match=f"fails at .*{type(error).__name__}"):
+        play(Scene((FLAT,), (ForceFunction(0, pushes),), until=1.0), V)

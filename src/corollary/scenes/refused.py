@@ -13,10 +13,20 @@ from corollary.scenes.body import Body
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.sound import HOUSE, PAIRS, finite, refuse_unsound, short_text, size_of, whole
 
-WRITTEN_WRONG = (AttributeError, LookupError, NameError, TypeError)
+WRITTEN_WRONG = (
+    AssertionError,
+    AttributeError,
+    LookupError,
+    NameError,
+    RuntimeError,
+    StopIteration,
+    TypeError,
+)
 """What a Python function raises that was written wrong, wherever it is asked."""
 OWN_FAILS = (*WRITTEN_WRONG, ArithmeticError, ValueError)
 """What a Python function of somebody's own may raise where it is wrong."""
+
+LARGEST_RADIUS = 1e150
 
 
 class Parts(Protocol):
@@ -50,7 +60,7 @@ def refuse_parts(scene: Parts, force: type) -> None:
     for each in scene.forces:
         _refuse_values(name, each)
     are_pairs, rule = PAIRS
-    if scene.passes and not are_pairs(scene.passes):
+    if scene.passes != () and not are_pairs(scene.passes):
         raise BadSetting(f"{name}: passes = {short_text(scene.passes)}: {rule}.")
     if scene.until is not None and not (finite(scene.until) and scene.until > 0.0):
         raise BadSetting(f"{name}: until = {short_text(scene.until)} s must be more than zero, and finite.")
@@ -63,6 +73,10 @@ def _refuse_body(scene: str, body: Body, called: str) -> None:
     if body.radius < 0.0:
         raise BadSetting(
             f"{scene}: a body needs a radius of zero or more, but {called} has {body.radius:g} m."
+        )
+    if body.radius > LARGEST_RADIUS:
+        raise BadSetting(
+            f"{scene}: {called} has a radius of {body.radius:g} m, whose square no double holds; choose another unit, or a smaller one."
         )
     if body.inertia is not None and not body.inertia > 0.0:
         raise BadSetting(f"{scene}: an inertia must be above zero, but {called} has {body.inertia:g} kg m^2.")

@@ -1,5 +1,7 @@
 """A ball that its damping keeps on the floor, and one that only lies there."""
 
+import math
+
 import mpmath as mp
 import pytest
 
@@ -56,3 +58,14 @@ def test_a_ball_laid_on_the_floor_sinks_in(q):
     assert near.observed["duration"] == pytest.approx(wanted["duration"], rel=1e-5)
     with pytest.raises(BadSetting, match="lies on the floor"):
         run("ball_on_floor", {"y0": 0.02, "v0": 0.0, "eta": 0.1})
+
+
+@pytest.mark.parametrize("thick", [1e-6, 1e-13])
+def test_a_fall_that_is_rounding_of_what_weight_does_is_refused_before_it_is_followed(thick):
+    """Steps never saw whether it leaves again, and said so after 400 000 of them."""
+    deep = (9.8 / 1e4) ** (1.0 / 1.5)
+    eta = thick * math.sqrt(1e4 * math.sqrt(deep))
+    given = {"m": 1.0, "k": 1e4, "q": 1.5, "R": 1e-30, "v0": 0.0, "g": 9.8, "eta": eta}
+    with pytest.raises(BadSetting, match="all but lies on the floor"):
+        run("ball_on_floor", given | {"y0": 1e-18 * deep})
+    assert run("ball_on_floor", given | {"y0": 1e-12 * deep}).outcome in ("released", "sticks")

@@ -154,3 +154,13 @@ def test_an_overlap_that_still_grows_at_the_end_is_that_of_the_end():
     first, second = components(found.observed["trajectory"])
     stated = components(found.errors["largest_overlap"])[0] + sum(components(found.errors["trajectory"]))
     assert abs(components(found.observed["largest_overlap"])[0] - (0.1 - (second - first))) <= stated < 1e-11
+
+
+def test_a_block_at_the_origin_goes_on_resting_from_where_rounding_left_it():
+    """At (9e-18, 0) m all of the scene's places are rounding: a gap of 5e-18 m was a drop, and the block bounced and slid."""
+    slope = HardWall((0.6, 0.8), restitution=0.5, mu=0.7125, static=0.825)
+    for place in ((0.0, 0.0), (8.99e-18, 0.0), (-3e-17, 2e-17)):
+        block = Body(1.0, place, (9e-17, 0.0))
+        found = play(Scene((block,), (Weight(9.8), slope), until=0.3), {Observable.VELOCITIES})
+        assert max(map(abs, found.observed["velocities"])) < 1e-11
+        assert found.outcome == "sticks"

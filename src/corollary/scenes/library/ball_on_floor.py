@@ -43,6 +43,8 @@ SETTINGS = (
 # From this many times the critical damping on, spring and weight have no say until the ball is at rest: they change its way by the
 # inverse square of that number, times its logarithm, times the share of the spring that is met at all.
 OVERDAMPED = 1e5
+# A smaller share of what weight does in the contact is rounding of it.
+NO_FALL = 1e-15
 
 
 def play(settings: Settings, tolerance: float) -> Run:
@@ -155,6 +157,11 @@ def _damped(
     if not in_steps and thick > OVERDAMPED and (contact.q > 1.0 or g > 0.0):
         change = 4.0 * math.log(thick) / thick**2 * (m * speed / contact.eta / deep) ** (contact.q - 1.0)
         return _overdamped(m, contact, speed, g, change)
+    if speed * speed < NO_FALL * g * deep:
+        raise BadSetting(
+            "ball_on_floor: the ball all but lies on the floor at the start: it has no speed that could be told from rounding of what weight does. "
+            "Start it higher above R, or raise k."
+        )
     line = RowOfBodies((math.inf, m), (0.0, -speed), (0.0,), (contact,), weight=g)
     collided = collide(line, tolerance, in_steps=in_steps)
     result = collided.result

@@ -23,6 +23,8 @@ Value = Callable[[float, State], float]
 Kind = Literal["touch", "overlap", "soft", "hit", "event", "release", "break", "stop"]
 # What friction holds to within this share of all it can is at its limit.
 EXHAUSTED = 1e-6
+# And what has nothing to do with it, if it was far from that as the mode began, but for a rounding: they let go at one moment.
+AT_ONCE = 1e-11
 # By such a part of what errors decide a parting is seen late: an overlap that fades away ends by errors alone.
 SEEN_LATE = 0.1
 # Such a part of a force decides nothing; and such a part of others that are found together with it.
@@ -162,18 +164,17 @@ class Guards:
         return stays and long_enough and event.turn is None and not event.of_speed
 
     def broken(self, number: int, time: float, y: State) -> dict[int, tuple[float, ...]]:
-        """What slips from now on when a rub breaks loose, and which way: it, what held the same to its limit, and what slips already."""
+        """What slips from now on when a rub breaks loose, and which way: it, what is at its limit at that moment, and what slips with it already."""
         items, forces, _ = self.system.held(time, y, self.since, self.mode)
         held, rubbed = [i for i, s in enumerate(self.mode.held) if s == "on"], self.mode.rubbed
         active = [k for k, s in enumerate(rubbed) if s != "off"]
         together = next(own for _, own in self.system.clusters(time, y, held, active) if number in own)
         found = {k: way for k in together if isinstance(way := rubbed[k], tuple)}
-        for k, at in self.sticks:
+        for (k, at), begun in zip(self.sticks, self.shares, strict=True):
             z, most = forces.multipliers[at], most_held(items, forces, at)
             size = float(np.linalg.norm(z))
-            if k == number or (
-                k in together and size >= (1.0 - EXHAUSTED) * most and size > self.trifles[at]
-            ):
+            least = EXHAUSTED if k in together else AT_ONCE if begun < 1.0 - EXHAUSTED else -1.0
+            if k == number or (size >= (1.0 - least) * most and size > self.trifles[at]):
                 found[k] = tuple((-z / (size or 1.0)).tolist())
         return found
 
@@ -235,10 +236,11 @@ class Guards:
         return found
 
     def _measure(self, time: float, held: Sequence[int], active: Sequence[int]) -> None:
-        """As the mode begins: forces (N) too small to decide about what presses and sticks, and the squares (N^2) of what each that sticks can hold.
+        """As the mode begins: forces (N) too small to decide about what presses and sticks, the squares (N^2) of what each that sticks can hold,
+        and the shares of it that each does.
 
-        They are a part of what each holds, can hold, or would have to if it were alone, and of what rounding leaves of all that it holds
-        together with.
+            They are a part of what each holds, can hold, or would have to if it were alone, and of what rounding leaves of all that it holds
+            together with.
         """
         items, found, _ = self.system.held(time, self.since, self.since, self.mode)
         inverse = self.system.inverse(time)
@@ -256,6 +258,9 @@ class Guards:
             max(TRIFLE * each, ROUNDED * others, 1e-300) for each, others in zip(own, together, strict=True)
         ]
         self.most = [limits[at] ** 2 for _, at in self.sticks]
+        self.shares = [
+            float(np.linalg.norm(found.multipliers[at])) / (limits[at] or 1.0) for _, at in self.sticks
+        ]
 
 
 def _alone(item: Item, inverse: Array) -> list[float]:

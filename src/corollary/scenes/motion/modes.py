@@ -14,8 +14,8 @@ from corollary.scenes.motion.hits import rub_less, settle_hits, small_bounces, s
 from corollary.scenes.motion.multipliers import Item, Status, answer
 from corollary.scenes.motion.onset import beginning
 from corollary.scenes.motion.path import Doubt
-from corollary.scenes.motion.projection import project, push_out, same_twice
-from corollary.scenes.motion.reversal import left_over, not_yet, slid, unseen
+from corollary.scenes.motion.projection import held_in, project, push_out, same_twice
+from corollary.scenes.motion.reversal import just_begun, left_over, not_yet, slid, unseen
 from corollary.scenes.motion.rivals import rivals
 from corollary.scenes.motion.sizes import Sizes, last_digit
 from corollary.scenes.motion.system import Array, Mode, System
@@ -57,7 +57,7 @@ class Moment:
         if self.barred_rubs and (helped := self._helped(touching, sides)) is not None:
             return helped
         # What has been held until now, steps have left a little off.
-        held = held_in(self.before) if self.before is not None else ([], [])
+        held: tuple[list[int], list[int]] = held_in(self.before) if self.before else ([], [])
         project(self.system, self.time, self.y, *held)
         push_out(self.system, self.time, self.y, self._near(), *held)
         self.doubts |= crowded(self.system, self.time, self.y, self._near(), self.sizes)
@@ -197,6 +197,11 @@ class Moment:
         """Whether a slip of two components is too slow to be told from rest."""
         return math.hypot(*self.system.slip(self.time, self.y, k)) <= self.sizes.rests[k] * 1.001
 
+    def _begun(self, k: int) -> tuple[float, ...] | None:
+        """The way in which a rub has just begun to slip, and goes on until it is seen to stop."""
+        before = None if k in self.stopped else self.before
+        return just_begun(self.system, self.time, self.y, before, k, self.sizes.speed)
+
     def _at_rest(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode | None:
         """The mode in which all that hardly slips in a plane sticks, if there is one.
 
@@ -206,7 +211,10 @@ class Moment:
         slow = [
             k
             for k, rub in enumerate(system.rubs)
-            if len(rub.driven) == 2 and k not in self.barred_rubs and self._creeps(k)
+            if len(rub.driven) == 2
+            and k not in self.barred_rubs
+            and self._creeps(k)
+            and self._begun(k) is None
         ]
         moving = [k for k in slow if any(system.slip(self.time, self.y, k))]
         if not moving:
@@ -269,11 +277,10 @@ class Moment:
             return (tuple(v / speed for v in slip),)
         if k in self.barred_rubs:
             return (self.barred_rubs[k],)
+        if (begun := self._begun(k)) is not None:
+            return (begun,)
         if len(slip) == 1:
-            begun = self.before.rubbed[k] if self.before is not None else "stick"
-            # What has just begun to slip does so until it is seen to stop.
-            goes_on = isinstance(begun, tuple) and k not in self.stopped and slip[0] * begun[0] > 0.0
-            return (begun,) if goes_on else ("stick", (1.0,), (-1.0,))
+            return ("stick", (1.0,), (-1.0,))
         pull = math.hypot(*item.bias)
         return ("stick", tuple(float(b) / pull for b in item.bias)) if pull else ("stick",)
 
@@ -290,11 +297,3 @@ def _put(
         held[i] = status
     for k, status in zip(rubs, statuses[len(group) :], strict=True):
         rubbed[k] = status
-
-
-def held_in(mode: Mode) -> tuple[list[int], list[int]]:
-    """The constraints that hold in a mode, and the rubs that stick."""
-    return (
-        [i for i, s in enumerate(mode.held) if s == "on"],
-        [i for i, s in enumerate(mode.rubbed) if s == "stick"],
-    )

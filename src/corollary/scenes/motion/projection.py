@@ -14,6 +14,14 @@ from corollary.scenes.motion.system import Array, Mode, System
 ROUNDED = 16.0
 
 
+def held_in(mode: Mode) -> tuple[list[int], list[int]]:
+    """The constraints that hold in a mode, and the rubs that stick."""
+    return (
+        [i for i, s in enumerate(mode.held) if s == "on"],
+        [i for i, s in enumerate(mode.rubbed) if s == "stick"],
+    )
+
+
 def project(
     system: System,
     time: float,

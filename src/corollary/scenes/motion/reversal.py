@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from operator import mul
 
 import numpy as np
 
@@ -13,6 +14,8 @@ from corollary.scenes.motion.system import Array, Mode, System
 
 # What slows down by such a part of what friction could make it do, it does: by less, rounding does.
 SLOWER = 1e-12
+# Such a part of what is too slow to be seen is rounding.
+ROUNDED = 0.01
 # A slip has begun when it is twenty times as fast as it creeps; so far off its way until then it may be five times as much in the end.
 BEGUN = 100.0
 
@@ -44,6 +47,18 @@ def slid(system: System, time: float, y: State, before: Mode | None, speed: floa
             if slower > SLOWER * float(abs(item.bias[0]) + abs(brake)):
                 found.add(k)
     return found
+
+
+def just_begun(
+    system: System, time: float, y: State, before: Mode | None, k: int, speed: float
+) -> tuple[float, ...] | None:
+    """The way in which a rub has just begun to slip in a mode, no faster than `speed` (m/s), though rounding may have it slip back: it goes on so."""
+    begun = before.rubbed[k] if before is not None else "stick"
+    if not isinstance(begun, tuple):
+        return None
+    slip = system.slip(time, y, k)
+    along = sum(map(mul, slip, begun))
+    return begun if math.hypot(*slip) <= speed and along > -ROUNDED * speed else None
 
 
 def left_over(

@@ -17,6 +17,8 @@ from corollary.scenes.scene import ContactForce, Scene, overlap, start_of
 GRAZING = 100.0
 # An overlap has to be so many roundings of a place deep.
 FINEST_OVERLAP = 1e4
+# Places that are such a part of the way that lies ahead are the origin.
+NOWHERE = 1e-13
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,12 +50,16 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
     """The sizes of a scene at its start; `shift` (m) lets every touch happen that much later, or earlier where it is negative."""
     scene = system.scene
     y, count = start_of(scene), system.count
-    long = max(max(map(abs, y[:count])), *(body.radius for body in scene.bodies)) or 1.0
     fast = max([abs(v) for v in y[count : 2 * count]] + [abs(b.spin) * b.radius for b in scene.bodies])
     fast = max([fast, *(math.hypot(*rub.driven) for rub in system.rubs)])
     gained = max((abs(a) for a in system.gains(0.0, y, y)[:count]), default=0.0)
     brief = pushed(scene, y)
     gained = max(gained, brief)
+    long = max(max(map(abs, y[:count])), *(body.radius for body in scene.bodies))
+    way = (fast + 0.5 * gained * scene.until) * scene.until if scene.until else 1.0
+    if long < NOWHERE * way:  # a point at the origin, but for rounding of places it has come from
+        long = min(way, 1.0)
+    long = long or 1.0
     fast = max(fast, _gets(long, gained, scene.until)) or 1.0
     still = [*y[:count], *([0.0] * (len(y) - count))]
     gains = [abs(a) for a in system.gains(0.0, still, still)[:count]] if system.rubs else []
