@@ -164,3 +164,23 @@ def test_a_block_at_the_origin_goes_on_resting_from_where_rounding_left_it():
         found = play(Scene((block,), (Weight(9.8), slope), until=0.3), {Observable.VELOCITIES})
         assert max(map(abs, found.observed["velocities"])) < 1e-11
         assert found.outcome == "sticks"
+
+
+@pytest.mark.parametrize("speed", [2.0 * math.sin(math.pi), 1e-12, 1e-10, 1e-3])
+@pytest.mark.parametrize("place", [(0.0, 0.0), (1.0, 0.0)])
+def test_a_puck_that_hardly_moves_comes_to_rest(speed, place):
+    """The first step was 1e12 times as long as its slip lasts, and the moment of its stop a rounding of that: it never came."""
+    puck = Scene((Body(1.0, place, (speed, 0.0)),), (Friction(0, 0.3),), until=1.0)
+    found = play(puck, {Observable.VELOCITIES})
+    assert (found.outcome, found.observed["velocities"]) == ("sticks", (0.0, 0.0))
+    assert max(found.errors["velocities"]) < 1e-9 * speed
+
+
+@pytest.mark.parametrize("gap", [1e-13, 1e-11, 1e-9, 1e-5])
+def test_a_block_let_go_a_hair_above_a_slope_is_not_followed_for_ever(gap):
+    """The hair was the size of the scene, and the second that is watched out of reach of steps as long."""
+    slope = HardWall((0.6, 0.8), restitution=0.5, mu=0.825)
+    block = Body(1.0, (0.6 * gap, 0.8 * gap), (0.0, 0.0))
+    found = play(Scene((block,), (Weight(9.8), slope), until=0.3), {Observable.VELOCITIES})
+    assert found.outcome == "sticks"
+    assert max(map(abs, found.observed["velocities"])) < 1e-9

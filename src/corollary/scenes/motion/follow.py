@@ -138,7 +138,7 @@ class Follower:
         begun, since = path.time, list(path.state)
         guards, slope = Guards(system, mode, since, begun, self.sizes), system.slope(mode, since, begun)
         solver = self.steps.solver(
-            slope, since, self._left(), self.steps.first_step(mode, begun, since), mode
+            slope, since, self._left(), self.steps.first_step(mode, begun, since, slope), mode
         )
         before = since
         while True:

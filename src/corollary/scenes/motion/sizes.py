@@ -17,8 +17,8 @@ from corollary.scenes.scene import ContactForce, Scene, overlap, start_of
 GRAZING = 100.0
 # An overlap has to be so many roundings of a place deep.
 FINEST_OVERLAP = 1e4
-# Places that are such a part of the way that lies ahead are the origin.
-NOWHERE = 1e-13
+# Places that are such a part of the way that lies ahead are the origin: what swings within them for so long is not followed to the end.
+NOWHERE = 1e-8
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,8 +56,8 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
     brief = pushed(scene, y)
     gained = max(gained, brief)
     long = max(max(map(abs, y[:count])), *(body.radius for body in scene.bodies))
-    way = (fast + 0.5 * gained * scene.until) * scene.until if scene.until else 1.0
-    if long < NOWHERE * way:  # a point at the origin, but for rounding of places it has come from
+    way = (fast + 0.5 * gained * scene.until) * scene.until if scene.until else 0.0
+    if long < NOWHERE * way:  # a point at the origin, as far as one can tell who sees it go
         long = min(way, 1.0)
     long = long or 1.0
     fast = max(fast, _gets(long, gained, scene.until)) or 1.0

@@ -43,8 +43,8 @@ SEEN, FADES, EDGE, STIFF_STEPS = 1.0, 3.0, 5.0, 15
 # An implicit step costs more than an explicit one: for so few it is not worth it. What fades may have become slow meanwhile (a slip that
 # began): after so many of them, and twice as many each time that was in vain, explicit ones are tried again.
 FEW_LEFT, TRY_AGAIN = 40, 20
-# The golden ratio: multiplied by ten as often as one likes two first steps come nowhere near each other.
-APART = 0.618
+# The golden ratio: multiplied by ten as often as one likes two first steps come nowhere near each other. And so many times what slips takes to stop.
+APART, BRIEFEST = 0.618, 1e4
 # No step is a larger part of the whole time, at a tolerance of 1e-6, and less at a finer one, as the order of eight has it: a run of a
 # handful of steps may be off by more than its estimates say, and one that is asked for less has to be nearer.
 WHOLE = 0.4
@@ -105,7 +105,7 @@ class Stepper:
             first_step=min(first, lasts),
         )
 
-    def first_step(self, mode: Mode, time: float, y: list[float]) -> float:
+    def first_step(self, mode: Mode, time: float, y: list[float], slope: Slope) -> float:
         """A step (s) to begin with: a hard contact would throw a stage of too long a one so far out that it felt nothing."""
         if any(mode.touching):
             # The first step leaves a root behind, which its estimate of its error takes too lightly, and a run of another tolerance would
@@ -122,7 +122,9 @@ class Stepper:
         self.at_most = math.inf
         # Steps grow tenfold as long as their errors allow it: two runs that began alike would take the same ones, and share their errors.
         own = 0.01 * APART ** (math.log(self.tolerance) / math.log(FINER) % 2.0)
-        return min(own * calm, own * self.sizes.long / self.sizes.fast, known)
+        brakes = max(map(abs, slope(0.0, np.array(y))[self.system.count : 2 * self.system.count]))
+        stops = BRIEFEST / brakes * self.sizes.fast if brakes > 0.0 else math.inf
+        return min(own * calm, own * self.sizes.long / self.sizes.fast, known, stops)
 
     def advance(self, solver: DOP853 | Radau, begun: float) -> None:
         """One step. Raises GuardFailed when there have been too many, or none is short enough."""
