@@ -99,6 +99,7 @@ def pair(law: PairLaw, start: State) -> Followed:
         )
         time, longest, seen.steps = time + length, within.radius * GROW, seen.steps + 1
         state = step.at(length)
+        tell(seen.steps / (seen.steps + USUAL_STEPS))
         if ends:
             seen.state, seen.ended = state, time
             return seen
