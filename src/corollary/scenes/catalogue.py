@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Iterator, Mapping
+from contextlib import nullcontext
 from dataclasses import replace
 from importlib import import_module
 from pkgutil import iter_modules
@@ -13,6 +14,7 @@ from corollary.messages import did_you_mean
 from corollary.scenes import library
 from corollary.scenes.definition import SceneDefinition, settle
 from corollary.scenes.independent import SECOND_WAYS
+from corollary.scenes.progress import part
 from corollary.scenes.run import BadSetting, Observed, Run, components
 from corollary.scenes.sound import refuse_tolerance
 
@@ -39,6 +41,8 @@ class Library(Mapping[str, SceneDefinition]):
 
 
 SCENES = Library()
+# Of a proven run so much is the estimate that comes first.
+ESTIMATED = 0.02
 
 
 def run(
@@ -64,10 +68,12 @@ def run(
     settled = settle(name, scene.settings, settings)
     begin = time.perf_counter()
     try:
-        found = SECOND_WAYS[name](settled, tolerance) if second_way and name in SECOND_WAYS else None
-        found = found or scene.play(settled, tolerance)
+        with part(0.0, ESTIMATED) if proven else nullcontext():
+            found = SECOND_WAYS[name](settled, tolerance) if second_way and name in SECOND_WAYS else None
+            found = found or scene.play(settled, tolerance)
         if proven and found.error_is != "bound":
-            found = _enclosed(name, scene, settled, found)
+            with part(ESTIMATED, 1.0):
+                found = _enclosed(name, scene, settled, found)
     except BadSetting:
         raise
     except (OverflowError, ZeroDivisionError, ValueError):
