@@ -5,7 +5,9 @@ import math
 import pytest
 from benchmarks.composed import falls
 from benchmarks.composed.case import judged
-from benchmarks.scenes_composed import EXACT, UNSEEN, cases
+from benchmarks.composed.discs import Composed, Disc, Plate
+from benchmarks.composed.enumerated import Course, Fineness, observed
+from benchmarks.scenes_composed import ENUMERATED, EXACT, UNSEEN, cases
 
 
 @pytest.mark.parametrize("case", cases(1, seed=12), ids=lambda case: case.family.replace(" ", "-"))
@@ -29,6 +31,29 @@ def test_a_scene_with_a_closed_form_is_right_or_honest(family):
     for case in cases(2, 3, (family,)):
         verdict = judged(case)
         assert verdict.outcome in ("right", "honest"), verdict.why
+
+
+@pytest.mark.parametrize("family", ENUMERATED, ids=lambda family: family.__name__)
+def test_a_scene_whose_modes_are_enumerated_is_right_or_honest(family):
+    for case in cases(1, 4, (family,)):
+        assert all(math.isfinite(x) for truth in case.truth.values() for x in truth)
+        assert all(doubt < 1e-9 for doubt in case.doubt.values())
+        verdict = judged(case)
+        assert verdict.outcome in ("right", "honest"), verdict.why
+
+
+def test_the_enumerated_modes_know_how_a_disc_comes_to_roll():
+    """It is dropped on a rough floor, bounces to rest, and slips until it rolls: at 5/7 of its speed, as every sphere that did not spin."""
+    height, e, mu, g, speed = 0.1, 0.5, 0.25, 9.8, 3.5
+    disc = Disc(0.7, (0.0, height + 0.2), (speed, 0.0), 0.2)
+    given = Composed((disc,), g, (Plate((0.0, 1.0), 0.0, e, mu),))
+    seen = observed(Course(given, Fineness()), (), 2.0)
+    assert seen["velocities"] == pytest.approx((speed * 5 / 7, 0.0), abs=1e-12)
+    assert seen["spins"] == pytest.approx((-speed * 5 / 7 / 0.2,), abs=1e-11)
+    assert seen["energy"] == pytest.approx((0.7 * (speed * speed * 5 / 14 + g * 0.2),), abs=1e-11)
+    first = math.sqrt(2 * g * height) * (1 + e)  # what the first bounce gives, and friction mu of that
+    early = observed(Course(given, Fineness()), (), math.sqrt(2 * height / g) + 0.01)
+    assert early["velocities"][0] == pytest.approx(speed - mu * first, abs=1e-12)
 
 
 def test_the_friction_of_bounces_that_are_left_out_is_in_the_error():
