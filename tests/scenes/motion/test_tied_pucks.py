@@ -16,7 +16,7 @@ from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.motion.shares import evenly
 from corollary.scenes.plan import play
-from corollary.scenes.run import BadSetting
+from corollary.scenes.run import BadSetting, components
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene
 
@@ -304,3 +304,34 @@ def test_a_puck_that_stops_on_its_belt_pulls_to_the_very_end(mass, degrees):
         along = sum(v * w for v, w in zip(plane.observed["velocities"][2 * i : 2 * i + 2], way, strict=True))
         off = abs(along - line.observed["velocities"][i])
         assert off <= line.errors["velocities"][i] + 2.0 * max(plane.errors["velocities"]) < 1e-9
+
+
+@pytest.mark.parametrize("tolerance", [1e-8, 1e-11, 1e-12])
+@pytest.mark.parametrize(
+    ("belt", "masses", "mu", "angle"),
+    [
+        (-0.9918127932298721, (2.8816473710991755, 0.6225785362151051), (0.2, 0.2), 1.6500487691948182),
+        (1.0, (1.8158882561289962, 1.3107053290221844), (0.2, 0.1), 3.395507361141855),
+    ],
+)
+def test_pucks_on_a_rod_that_creep_off_a_belt_state_what_their_direction_costs(
+    belt, masses, mu, angle, tolerance
+):
+    """Each is pushed along the rod as hard as friction holds at half a second: from then on by (sum of mu m) g (t - 1/2)^2/(2 (1/2) M)."""
+    begun, until, way = 0.5, 0.6, (math.cos(angle), math.sin(angle))
+    holds = [m * f * G for m, f in zip(masses, mu, strict=True)]
+    drawn = tuple(belt * w for w in way)
+    pucks = tuple(
+        Body(m, tuple(far * w for w in way), drawn) for m, far in zip(masses, (0.0, 0.5), strict=True)
+    )
+    forces = [
+        ForceFunction(i, lambda t, x, v, h=h: tuple(h * t / begun * w for w in way))
+        for i, h in enumerate(holds)
+    ]
+    forces += [Rod((0, 1)), *(Friction(i, f, G, belt=drawn) for i, f in enumerate(mu))]
+    found = play(Scene(pucks, tuple(forces), until=until), {O.VELOCITIES}, tolerance)
+    speed = belt + sum(holds) * (until - begun) ** 2 / (2.0 * begun * sum(masses))
+    true = [speed * w for w in way] * 2
+    errors = components(found.errors["velocities"])
+    assert all(abs(a - b) <= e for a, b, e in zip(found.observed["velocities"], true, errors, strict=True))
+    assert max(errors) < 1e-9

@@ -15,7 +15,7 @@ from corollary.scenes.motion.modes import Moment
 from corollary.scenes.motion.own_forces import overlooked
 from corollary.scenes.motion.path import Happening, Stretch, Trajectory
 from corollary.scenes.motion.projection import drifted
-from corollary.scenes.motion.reversal import turned
+from corollary.scenes.motion.reversal import swayed, turned
 from corollary.scenes.motion.sizes import least_squeeze, sizes_of
 from corollary.scenes.motion.steps import Stepper
 from corollary.scenes.motion.system import Mode, Slope, System
@@ -101,6 +101,7 @@ class Follower:
         path.state = moment.y
         path.calmed = (path.time, moment.calmed) if moment.calmed else path.calmed
         path.astray = max(path.astray, turned(moment.before, mode))
+        path.astray += swayed(self.system, path.time, path.state, moment.before, path.lasted(moment.before))
         for what in moment.doubts:
             path.doubt(what, path.time)
         if moment.dropped:

@@ -8,6 +8,7 @@ import math
 from bisect import bisect_right
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from itertools import takewhile
 from typing import Literal
 
 import numpy as np
@@ -170,6 +171,12 @@ class Trajectory:
         """Something begins to slip: if it was taken for at rest at this very moment, its speed is lost."""
         if self.time - self.calmed[0] <= BRIEF * self.time:
             self.astray = max(self.astray, self.calmed[1])
+
+    def lasted(self, mode: Mode | None) -> float:
+        """For how long (s) it has been going on in a mode."""
+        return sum(
+            each.lasts for each in takewhile(lambda stretch: stretch.mode is mode, reversed(self.stretches))
+        )
 
     @property
     def unsure(self) -> float:

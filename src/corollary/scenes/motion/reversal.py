@@ -18,6 +18,8 @@ SLOWER = 1e-12
 ROUNDED = 0.01
 # A slip has begun when it is twenty times as fast as it creeps; so far off its way until then it may be five times as much in the end.
 BEGUN = 100.0
+# So far (in radians) steps miss the direction of what creeps, whatever their tolerance: it turns faster than they see.
+SWAYS = 1e-3
 
 
 def unseen(system: System, time: float, y: State, k: int, speed: float) -> bool:
@@ -95,6 +97,20 @@ def turned(before: Mode | None, mode: Mode) -> float:
         elif crept and not creep and isinstance(way, tuple) and isinstance(now, tuple):
             off = max(off, BEGUN * crept * math.dist(way, now))
     return off
+
+
+def swayed(system: System, time: float, y: State, before: Mode | None, lasted: float) -> float:
+    """How far off (m/s) slips of two components may be that crept in a mode for so long (s).
+
+    The slower a slip, the more of its direction a step may miss, and of friction along the way by the square of that.
+    """
+    crept = zip(before.creeps, before.rubbed, system.rubs, strict=False) if before is not None else ()
+    brakes = [
+        rub.kinetic * rub.normal(time, y) * float((np.square(rub.rows(time, y)) @ system.inverse(time)).max())
+        for creep, way, rub in crept
+        if creep and isinstance(way, tuple) and rub.normal is not None
+    ]
+    return 0.5 * SWAYS**2 * max(brakes, default=0.0) * lasted
 
 
 def not_yet(
