@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
+from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.plan import play
@@ -32,3 +35,20 @@ def test_a_falling_ball_is_slowed_by_a_rough_upright_wall(length, time):
     for name, values in zip(("velocities", "spins"), true, strict=True):
         for value, error, wanted in zip(found.observed[name], found.errors[name], values, strict=True):
             assert abs(value - wanted) <= error <= 1e-8 * abs(wanted)
+
+
+@pytest.mark.parametrize("until", [1e-12, 1e-9, 1e-3])
+@pytest.mark.parametrize("speed", [0.0, 1e5])
+def test_ions_that_fly_apart_are_as_far_apart_as_they_begin(until, speed):
+    """Ten million times as far as that they get within a millisecond; what repels them knows the 1e-10 m between them all the same."""
+    strength, mass, places = 2.3e-28, 1e-26, ((0.0, 0.0), (1e-10, 1e-11))
+    ions = tuple(
+        Body(mass, place, (way * speed, 0.0)) for place, way in zip(places, (1.0, -1.0), strict=True)
+    )
+    scene = Scene(ions, (InverseSquare((0, 1), -strength),), until=until)
+    found = play(scene, {O.VELOCITIES, O.TRAJECTORY}, times=(until,))
+    fast, (a, b, c, d) = found.observed["velocities"], found.observed["trajectory"]
+    had = mass * speed**2 + strength / math.dist(*places)
+    has = 0.5 * mass * sum(v * v for v in fast) + strength / math.dist((a, b), (c, d))
+    assert has == pytest.approx(had, rel=1e-8)
+    assert max(found.errors["velocities"]) < 1e-9 * math.sqrt(had / mass)

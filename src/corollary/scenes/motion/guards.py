@@ -237,10 +237,10 @@ class Guards:
 
     def _measure(self, time: float, held: Sequence[int], active: Sequence[int]) -> None:
         """As the mode begins: forces (N) too small to decide about what presses and sticks, the squares (N^2) of what each that sticks can hold,
-        and the shares of it that each does.
+        and the shares of that which each does.
 
-            They are a part of what each holds, can hold, or would have to if it were alone, and of what rounding leaves of all that it holds
-            together with.
+        They are a part of what each holds, can hold, or would have to if it were alone, and of what rounding leaves of all that it holds
+        together with.
         """
         items, found, _ = self.system.held(time, self.since, self.since, self.mode)
         inverse = self.system.inverse(time)

@@ -8,6 +8,10 @@ from dataclasses import dataclass
 
 from corollary.scenes.constraint import Rub
 from corollary.scenes.forces.contact import Contact
+from corollary.scenes.forces.drag import Drag
+from corollary.scenes.forces.friction import Friction
+from corollary.scenes.forces.wall import HardWall
+from corollary.scenes.forces.weight import Weight
 from corollary.scenes.motion.own_forces import pushed
 from corollary.scenes.motion.system import System
 from corollary.scenes.row import reduced_mass
@@ -17,8 +21,8 @@ from corollary.scenes.scene import ContactForce, Scene, overlap, start_of
 GRAZING = 100.0
 # An overlap has to be so many roundings of a place deep.
 FINEST_OVERLAP = 1e4
-# Places that are such a part of the way that lies ahead are the origin: what swings within them for so long is not followed to the end.
-NOWHERE = 1e-8
+# Where nothing acts that has a size of its own, places that are such a part of the way that lies ahead are the origin.
+NOWHERE, ANYWHERE = 1e-8, (Weight, HardWall, Friction, Drag)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +61,7 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
     gained = max(gained, brief)
     long = max(max(map(abs, y[:count])), *(body.radius for body in scene.bodies))
     way = (fast + 0.5 * gained * scene.until) * scene.until if scene.until else 0.0
-    if long < NOWHERE * way:  # a point at the origin, as far as one can tell who sees it go
+    if long < NOWHERE * way and all(isinstance(force, ANYWHERE) for force in scene.forces):
         long = min(way, 1.0)
     long = long or 1.0
     fast = max(fast, _gets(long, gained, scene.until)) or 1.0
