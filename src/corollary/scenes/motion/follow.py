@@ -101,7 +101,10 @@ class Follower:
         path.state = moment.y
         path.calmed = (path.time, moment.calmed) if moment.calmed else path.calmed
         path.astray = max(path.astray, turned(moment.before, mode))
-        path.astray += swayed(self.system, path.time, path.state, moment.before, path.lasted(moment.before))
+        if moment.before is not None and moment.before.creeps:
+            path.astray += swayed(
+                self.system, path.time, path.state, moment.before, path.lasted(moment.before)
+            )
         for what in moment.doubts:
             path.doubt(what, path.time)
         if moment.dropped:

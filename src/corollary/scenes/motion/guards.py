@@ -173,8 +173,9 @@ class Guards:
         for (k, at), begun in zip(self.sticks, self.shares, strict=True):
             z, most = forces.multipliers[at], most_held(items, forces, at)
             size = float(np.linalg.norm(z))
-            least = EXHAUSTED if k in together else AT_ONCE if begun < 1.0 - EXHAUSTED else -1.0
-            if k == number or (size >= (1.0 - least) * most and size > self.trifles[at]):
+            may = k in together or begun < 1.0 - EXHAUSTED
+            least = (1.0 - (EXHAUSTED if k in together else AT_ONCE)) * most
+            if k == number or (may and size >= least and size > self.trifles[at]):
                 found[k] = tuple((-z / (size or 1.0)).tolist())
         return found
 

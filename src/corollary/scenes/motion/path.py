@@ -172,7 +172,7 @@ class Trajectory:
         if self.time - self.calmed[0] <= BRIEF * self.time:
             self.astray = max(self.astray, self.calmed[1])
 
-    def lasted(self, mode: Mode | None) -> float:
+    def lasted(self, mode: Mode) -> float:
         """For how long (s) it has been going on in a mode."""
         return sum(
             each.lasts for each in takewhile(lambda stretch: stretch.mode is mode, reversed(self.stretches))

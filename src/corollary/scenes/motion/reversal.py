@@ -99,15 +99,14 @@ def turned(before: Mode | None, mode: Mode) -> float:
     return off
 
 
-def swayed(system: System, time: float, y: State, before: Mode | None, lasted: float) -> float:
+def swayed(system: System, time: float, y: State, before: Mode, lasted: float) -> float:
     """How far off (m/s) slips of two components may be that crept in a mode for so long (s).
 
     The slower a slip, the more of its direction a step may miss, and of friction along the way by the square of that.
     """
-    crept = zip(before.creeps, before.rubbed, system.rubs, strict=False) if before is not None else ()
     brakes = [
         rub.kinetic * rub.normal(time, y) * float((np.square(rub.rows(time, y)) @ system.inverse(time)).max())
-        for creep, way, rub in crept
+        for creep, way, rub in zip(before.creeps, before.rubbed, system.rubs, strict=True)
         if creep and isinstance(way, tuple) and rub.normal is not None
     ]
     return 0.5 * SWAYS**2 * max(brakes, default=0.0) * lasted
