@@ -19,7 +19,7 @@ ORDER = (  # from the top; what stands in one line are siblings, which do not kn
     "laws problem sandbox scenes", "units polynomials", "formula figure", "plug_ins", "user_cache", "messages atomic parallel cluster version", "extras",
 )  # fmt: skip
 FLOORS = {room: len(ORDER) - floor for floor, rooms in enumerate(ORDER) for room in rooms.split()}
-LONGEST, MEDIAN = 300, 150
+LONGEST, MEDIAN = 600, 150
 FORBIDDEN = re.compile(r"manager|util(s|ities)?(_|$)|helpers?(_|$)|process(es|or|ors)?(_|$)", re.IGNORECASE)
 HEAVY = {"sympy", "numpy", "matplotlib", "nbgrader", "nbformat", "IPython", "flint", "yaml"}
 
