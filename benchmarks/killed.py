@@ -46,7 +46,7 @@ def class_of(folder: Path, count: int, code: str = "X12.5") -> Path:
     bank = chapter_bank()
     problem_set, solutions = find_set(bank, str(file)), Solutions(bank)
     roster = [Student(f"s{number:05}", f"Student {number}", "", "") for number in range(count)]
-    made = generate(folder / "course", problem_set, roster, solutions, file=file)
+    made = generate(folder / "course", problem_set, roster, solutions)
     for number, student in enumerate(roster):
         variants = made.assigned[student.id].variants
         paper = worksheet(problem_set, student, variants)

@@ -61,7 +61,7 @@ def _handed_in(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "one.md").write_text(SET)
     bank = chapter_bank()
     problem_set, solutions = find_set(bank, str(folder / "one.md")), Solutions(bank)
-    made = generate(folder / "course", problem_set, map(Student, STUDENTS), solutions, file=folder / "one.md")
+    made = generate(folder / "course", problem_set, map(Student, STUDENTS), solutions)
     for student, row in made.assigned.items():
         sheet = worksheet(problem_set, Student(student), row.variants)
         keys = {each.problem.code: solutions.key(each.variant) for each in sheet.exercises}

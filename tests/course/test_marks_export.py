@@ -74,7 +74,7 @@ def graded_once(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "week_1.md").write_text(SET.replace("timezone: UTC\n", ""))
     bank = chapter_bank()
     problem_set, solutions = find_set(bank, str(folder / "week_1.md")), Solutions(bank)
-    made = generate(folder / "course", problem_set, ROSTER, solutions, file=folder / "week_1.md")
+    made = generate(folder / "course", problem_set, ROSTER, solutions)
     for student in ROSTER:
         if student.id == "cyd":
             continue

@@ -97,7 +97,7 @@ def fresh(pair: Path, tmp_path_factory: pytest.TempPathFactory) -> Course:
     bank = chapter_bank()
     problem_set, solutions = find_set(bank, str(pair)), Solutions(bank)
     folder = tmp_path_factory.mktemp("fresh") / "course"
-    course = generate(folder, problem_set, ROSTER, solutions, file=pair).course
+    course = generate(folder, problem_set, ROSTER, solutions).course
     for student in ROSTER:
         wrong = {"X12_5_a_answer": "X12_5_a = 1234"} if student.id == "chen" else {}
         answers(course, problem_set, solutions, student, **wrong)

@@ -119,9 +119,7 @@ def _marked_once(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "words.md").write_text(SET)
     bank = chapter_bank()
     problem_set = find_set(bank, str(folder / "words.md"))
-    course = generate(
-        folder / "course", problem_set, STUDENTS, Solutions(bank), file=folder / "words.md"
-    ).course
+    course = generate(folder / "course", problem_set, STUDENTS, Solutions(bank)).course
     for student in STUDENTS:
         hand_in(course, student)
     done = grade(course)

@@ -82,9 +82,7 @@ def course(tmp_path: Path) -> Path:
     bank = chapter_bank()
     problem_set = find_set(bank, str(tmp_path / "one.md"))
     roster = [Student("ada"), Student("ben")]
-    made = generate(
-        tmp_path / "course", problem_set, roster, Solutions(bank), file=tmp_path / "one.md"
-    ).course
+    made = generate(tmp_path / "course", problem_set, roster, Solutions(bank)).course
     config = made.folder / "nbgrader_config.py"
     config.write_text(config.read_text() + SERVICE.format(service=str(tmp_path / "service")))
     for student in ("ada", "ben"):

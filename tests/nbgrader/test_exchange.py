@@ -86,7 +86,7 @@ def hub() -> Iterator[Hub]:
         bank = chapter_bank()
         problem_set = find_set(bank, str(hub.folder / "one.md"))
         roster = [Student(ADA.pw_name), Student(BEN.pw_name)]
-        generate(hub.course, problem_set, roster, Solutions(bank), file=hub.folder / "one.md")
+        generate(hub.course, problem_set, roster, Solutions(bank))
         (hub.folder / "exchange").mkdir()
         (hub.folder / "exchange").chmod(0o777)
         config = hub.course / "nbgrader_config.py"

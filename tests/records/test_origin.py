@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import pytest
 
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank
 from corollary.problem.roster import Student
-from corollary.records.files import Course, NotACourse, create_course
+from corollary.records.files import Course, NotACourse, create_course, open_course
 from corollary.records.origin import set_of, write_origin
 
 SET = "---\ntitle: Kicks\nproblems:\n  - X12.5\n---\nKick it.\n"
@@ -110,3 +111,48 @@ def test_another_set_of_the_bank_of_its_other_sets_is_found(
     assert (bank.folder, found.title) == (foreign.folder, "Throws")
     with pytest.raises(UnknownCode, match=rf"the bank {foreign.place} has: kicks, throws"):
         set_of(course, "rolls")
+
+
+def test_the_banks_own_set_has_no_file_of_its_own_however_it_was_named(course: Course, foreign: Bank) -> None:
+    write_origin(course, "kicks", foreign, foreign.sets / "kicks.md")
+    assert json.loads(record(course, "kicks").read_text())["set"] is None
+
+
+def test_the_name_of_a_link_is_the_sets(course: Course, foreign: Bank, tmp_path: Path) -> None:
+    (tmp_path / "of_last_year.md").write_text(SET)
+    (tmp_path / "extra.md").symlink_to("of_last_year.md")
+    write_origin(course, "extra", foreign, tmp_path / "extra.md")
+    assert set_of(course, "extra")[1].name == "extra"
+
+
+def test_a_set_in_the_courses_folder_moves_with_it(course: Course, foreign: Bank, tmp_path: Path) -> None:
+    (course.folder / "extra.md").write_text(SET)
+    write_origin(course, "extra", foreign, course.folder / "extra.md")
+    moved = open_course(course.folder.rename(tmp_path / "moved"))
+    assert set_of(moved, "extra")[1].title == "Kicks"
+
+
+@pytest.mark.parametrize("damage", ["null", "gone", "{"])
+def test_a_file_no_longer_known_is_said_and_generating_from_it_records_it(
+    course: Course, foreign: Bank, tmp_path: Path, damage: str
+) -> None:
+    """A version before wrote `"set": null` when a set was generated again by its name alone."""
+    file = tmp_path / "extra.md"
+    file.write_text(SET)
+    write_origin(course, "extra", foreign, file)
+    match damage:
+        case "null":
+            record(course, "extra").write_text(json.dumps({"bank": foreign.place, "set": None}))
+        case "gone":
+            file = file.rename(tmp_path / "course" / "extra.md")
+        case text:
+            record(course, "extra").write_text(text)
+    with pytest.raises((UnknownCode, NotACourse), match=r"corollary generate again.*path/extra\.md"):
+        set_of(course, "extra")
+    bank, found = set_of(course, str(file))
+    write_origin(course, found.name, bank, found.file)
+    assert set_of(course, "extra")[1].file == file
+
+
+def record(course: Course, name: str) -> Path:
+    return course.record("origin", f"{name}.json")

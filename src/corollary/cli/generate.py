@@ -73,7 +73,6 @@ def run(
             students,
             solutions,
             progress,
-            Path(name) if name.endswith(".md") else None,
             plan.sheets if renew else (),
             read_settings(course).jobs,
         )
@@ -152,8 +151,8 @@ def _whose_own(made: Generated) -> str:
 
 def _set(name: str, course: Path, bank: Path | None) -> tuple[Bank, ProblemSet]:
     """The set and its bank: the one named, else for a set that was generated before the one it came from."""
-    if bank is None and (course / ".corollary" / "key").exists():
-        return set_of(open_course(course), name)
+    if (course / ".corollary" / "key").exists():
+        return set_of(open_course(course), name, bank)
     settings = read_settings(course)
     place = bank_of_set(bank, name)
     return place, find_set(place, name, settings.usual)

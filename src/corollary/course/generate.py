@@ -62,12 +62,11 @@ def generate(
     roster: Iterable[Student],
     solutions: Solutions,
     progress: Callable[[str], None] = lambda step: None,
-    file: Path | None = None,
     renewed: Sequence[Renewal] = (),
     jobs: int | None = None,
 ) -> Generated:
-    """Makes or completes the course; who has a sheet keeps it, as it is, but for the `renewed`. `file`: the set's, when it
-    lies outside the bank; `jobs`: how many processes (None: one for each core).
+    """Makes or completes the course; who has a sheet keeps it, as it is, but for the `renewed`.
+    `jobs`: how many processes (None: one for each core).
 
     Raises NoVariant, NotRegistered, GradebookLocked, NotOurs, NotSettled, BeingGraded, OneFolder.
     """
@@ -101,7 +100,7 @@ def generate(
                 for student, path in notebooks.items()
                 if student in todays or (student not in record.dates and not path.exists())
             }
-            write_origin(course, problem_set.name, solutions.bank, file)
+            write_origin(course, problem_set.name, solutions.bank, problem_set.file)
             save_record(course, problem_set, record)
             assigned = sheets(course, problem_set, record)
             # What was handed out stays as it is, to the byte.

@@ -41,7 +41,7 @@ class Scheme:
 class ProblemSet:
     """`weights` multiply the points of each problem's parts; `due` and `opens` are moments with a zone, or None. `problems` has
     those of all `pools`, of which a student gets some; `shuffled`: each in an order of their own. `tries` is how many hand-ins
-    count, None for any number."""
+    count, None for any number. `file` is the file it was read from."""
 
     name: str
     title: str
@@ -56,6 +56,7 @@ class ProblemSet:
     pools: tuple[Pool, ...] = ()
     shuffled: bool = False
     tries: int | None = None
+    file: Path | None = None
 
     def weight(self, problem: Problem) -> float:
         """1 for a problem that is no longer in the set."""
@@ -103,8 +104,7 @@ def find_set(bank: Bank, name: str, usual: Usual = USUAL) -> ProblemSet:
 
     Raises UnknownCode or Malformed.
     """
-    places = [Path(name)] if name.endswith(".md") else [each.sets / f"{name}.md" for each in bank.each]
-    path = next((place for place in places if place.is_file()), None)
+    path = Path(name) if name.endswith(".md") and Path(name).is_file() else file_of_set(bank, name)
     if path is None:
         have = set_names(bank)
         if _is_a_problem(bank, name):
@@ -115,6 +115,12 @@ def find_set(bank: Bank, name: str, usual: Usual = USUAL) -> ProblemSet:
             f"there is no problem set {name}{did_you_mean(name, have)}; the bank has: {', '.join(have) or 'none'}"
         )
     return read_set(bank, path, usual)
+
+
+def file_of_set(bank: Bank, name: str) -> Path | None:
+    """Return the file in which a bank has the set of this name."""
+    places = (each.sets / f"{name}.md" for each in bank.each)
+    return next((place for place in places if place.is_file()), None)
 
 
 def _is_a_problem(bank: Bank, name: str) -> bool:
@@ -189,6 +195,7 @@ def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
         listed.pools,
         order == "shuffled",
         tries,
+        path,
     )
 
 

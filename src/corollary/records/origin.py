@@ -13,17 +13,31 @@ from pathlib import Path
 from corollary.atomic import write_whole
 from corollary.messages import did_you_mean
 from corollary.problem.bank import VARIABLE, Bank, UnknownCode, bank_around, chapter_bank, open_bank
-from corollary.problem.problem_set import ProblemSet, find_set, set_names
+from corollary.problem.problem_set import ProblemSet, file_of_set, find_set, set_names
 from corollary.records.files import Course, NotACourse
 from corollary.records.settings import read_settings
 
 
 def write_origin(course: Course, set_name: str, bank: Bank, file: Path | None = None) -> None:
-    """Records the bank, and the set's file when it lies outside the bank. The chapter's bank is recorded as such: it moves
-    when the program is installed anew."""
+    """Record the bank, and the set's file unless the bank has it by this name.
+
+    The chapter's bank is recorded as such: it moves when the program is installed anew. A file in the course's folder is recorded
+    relative to it: both may move together.
+    """
     place = None if _is_chapters(bank) else bank.place
-    record = {"bank": place, "set": None if file is None else str(file.resolve())}
+    record = {"bank": place, "set": None if file is None else _place_of(course, set_name, bank, file)}
     write_whole(_origin(course, set_name), json.dumps(record) + "\n")
+
+
+def _place_of(course: Course, set_name: str, bank: Bank, file: Path) -> str | None:
+    of_bank = file_of_set(bank, set_name)
+    if of_bank is not None and of_bank.samefile(file):
+        return None
+    whole, folder = (
+        Path(os.path.abspath(file)),
+        Path(os.path.abspath(course.folder)),
+    )  # the name of a link is the set's
+    return whole.relative_to(folder).as_posix() if whole.is_relative_to(folder) else str(whole)
 
 
 def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank, ProblemSet]:
@@ -36,7 +50,11 @@ def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank,
     is_file = name.endswith(".md")
     set_name = Path(name).stem if is_file else name
     settings = read_settings(course.folder)
-    if folder is not None or not _origin(course, set_name).exists():
+    if (
+        folder is not None
+        or not has_set(course, set_name)
+        or (is_file and not _is_readable(course, set_name))
+    ):
         named = folder or (Path(settings.bank) if settings.bank else None)
         around = None if named else bank_around(name)
         bank, file = around or open_bank(named), None
@@ -48,12 +66,43 @@ def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank,
             raise _unknown(course, set_name, bank, here)
     else:
         bank, file = _recorded(course, set_name)
+        if not is_file:
+            _check_is_there(course, set_name, bank, file)
     return bank, find_set(bank, name if is_file or file is None else file, settings.usual)
+
+
+def _check_is_there(course: Course, set_name: str, bank: Bank, file: str | None) -> None:
+    """Raise UnknownCode where the set is no longer where the record says. An earlier version forgot the file of a set that
+    was generated again by its name alone."""
+    if file is not None and not Path(file).is_file():
+        raise UnknownCode(
+            f"{file}, from which {set_name} was generated, is gone; {_generate_again(set_name)}"
+        )
+    if file is None and file_of_set(bank, set_name) is None:
+        raise UnknownCode(
+            f"{course.folder} does not say in which file {set_name} is, and the bank {bank.place} has no set of that name; "
+            f"{_generate_again(set_name)}"
+        )
+
+
+def _generate_again(set_name: str) -> str:
+    return (
+        f"run corollary generate again with the file in the place of its name (such as path/{set_name}.md): "
+        "that records where it is, and everybody keeps their numbers"
+    )
 
 
 def has_set(course: Course, name: str) -> bool:
     """Whether a set of this name was generated here, and it is known from where."""
     return _origin(course, name).exists()
+
+
+def _is_readable(course: Course, set_name: str) -> bool:
+    try:
+        _record(course, set_name)
+    except NotACourse:
+        return False
+    return True
 
 
 def _recorded_file(course: Course, set_name: str) -> str | None:
@@ -109,10 +158,11 @@ def _record(course: Course, set_name: str) -> tuple[str | None, str | None]:
     """The places of the bank (None: the chapter's) and of the set's file. Raises NotACourse."""
     try:
         record = json.loads(_origin(course, set_name).read_text(encoding="utf-8"))
-        return record["bank"], record["set"]
+        file = record["set"]
+        return record["bank"], None if file is None else str(course.folder / file)
     except (OSError, ValueError, TypeError, KeyError):
         raise NotACourse(
-            f"{course.folder} does not say which bank {set_name} comes from; generate it again (everybody keeps their numbers)"
+            f"{course.folder} does not say which bank {set_name} comes from; {_generate_again(set_name)}"
         ) from None
 
 

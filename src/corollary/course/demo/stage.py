@@ -72,8 +72,8 @@ def perform(
     write_whole(folder / MARK, "made by corollary demo; may be thrown away\n")
     roster = tuple(player.student for player in PLAYERS)
     write_whole(folder / "roster.csv", roster_table(roster))
-    problem_set, file = _of_last_year(folder, problem_set, solutions)
-    made = generate(folder, problem_set, roster, solutions, progress, file)
+    problem_set = _of_last_year(folder, problem_set, solutions)
+    made = generate(folder, problem_set, roster, solutions, progress)
     hands: dict[str, tuple[Worksheet, Hand]] = {}
     for player in PLAYERS:
         progress(f"{player.student.first_name} works")
@@ -93,12 +93,12 @@ def perform(
     return Demonstration(made.course, played, outcome)
 
 
-def _of_last_year(folder: Path, problem_set: ProblemSet, solutions: Solutions) -> tuple[ProblemSet, Path]:
+def _of_last_year(folder: Path, problem_set: ProblemSet, solutions: Solutions) -> ProblemSet:
     """The set in a file of the demonstration's own, due on a day that is over: solutions may be seen, whatever the day is."""
     file = folder / f"{problem_set.name}.md"
     found = next(path for bank in solutions.bank.each if (path := bank.sets / file.name).is_file())
     write_whole(file, DUE_LINE.sub(f"due: {DUE}", found.read_text(encoding="utf-8"), count=1))
-    return find_set(solutions.bank, str(file)), file
+    return find_set(solutions.bank, str(file))
 
 
 def hand_in(course: Course, problem_set: ProblemSet, sheet: Worksheet, hand: Hand) -> None:
