@@ -29,7 +29,7 @@ LOST = "Kinetic energy is not kept."
 
 def question(heading=HEADING):
     complaints = []
-    _, (part,) = read_parts(Path("a.md"), heading, 1, complaints)
+    _, (part,), _ = read_parts(Path("a.md"), heading, 1, complaints)
     assert not complaints, complaints
     return question_of(replace(PROBLEM, parts=(part,)), part)
 
@@ -181,7 +181,7 @@ def test_a_matrix_has_numbers_in_place_of_names():
 )
 def test_what_does_not_fit_is_said(attributes, words):
     complaints = []
-    _, parts = read_parts(Path("a.md"), f"## Both {{#a {attributes}}}\n", 1, complaints)
+    _, parts, _ = read_parts(Path("a.md"), f"## Both {{#a {attributes}}}\n", 1, complaints)
     if not complaints:
         with pytest.raises(Malformed) as found:
             checked(replace(PROBLEM, parts=parts))

@@ -62,9 +62,20 @@ def _symbols_asked(problem: Problem) -> tuple[Symbol, ...]:
 
 def checked(problem: Problem) -> Problem:
     """The problem, whose headings fit their answer types. Raises Malformed with every misfit."""
-    if found := [
+    found = [
         Diagnostic(problem.path, part.line, sentence) for part in problem.parts for sentence in _misfits(part)
-    ]:
+    ]
+    if not found:
+        found = [
+            Diagnostic(
+                problem.path,
+                part.line,
+                f"part {part.id} asks for no quantity and no option; leave expected= out",
+            )
+            for part in problem.parts
+            if part.id in dict(problem.expected) and not _foreseeable(part)
+        ]
+    if found:
         raise Malformed(found)
     return problem
 
@@ -103,6 +114,11 @@ def _misfits(part: Part) -> Iterator[str]:
     if len(part.options) < 2 if "options" in needed else part.options:
         listing = [f".{name}" for name in known() if "options" in answer_type(name).accepts]
         yield f"part {part.id}: {' and '.join(listing)} parts, and only these, list options, each as: - (a) text"
+
+
+def _foreseeable(part: Part) -> bool:
+    """Whether its answer can be told in a number or a letter beforehand."""
+    return all(answer_type(name).stated_by in ("step", "choice") for name in part.answer_types)
 
 
 def _possible(types: tuple[str, ...]) -> bool:

@@ -10,6 +10,7 @@ from corollary.cli.saved import edition
 from corollary.problem.bank import Bank
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.reader import read_problem
+from corollary.verify.expected_answers import unexpected
 from corollary.verify.programs import unstarted
 from corollary.verify.verify import SLOW, Verification
 
@@ -19,31 +20,35 @@ PAUSE = 0.1  # s between looks at the files
 def follow(place: Bank, path: Path, variants: int) -> int:
     """Until ctrl-C; the algebra of what has not changed is kept from one edition to the next."""
     say(f"watching {path.name} and its solution; ctrl-C ends it")
+    asked = False
     try:
         while True:
             now = edition(place, path)
-            verified(place, path, variants, now)
+            whole = verified(place, path, variants, now)
+            if whole is not None and not asked:
+                asked = True
+                _print(*filter(None, [unexpected(whole.problem)]))
             while edition(place, path) == now:
                 time.sleep(PAUSE)
     except KeyboardInterrupt:
         return HOLDS
 
 
-def verified(place: Bank, path: Path, variants: int, now: str) -> None:
-    """Says what is wrong with this edition as soon as it is found; gives up when the next one is saved."""
+def verified(place: Bank, path: Path, variants: int, now: str) -> Verification | None:
+    """Says what is wrong with this edition as soon as it is found; gives up (None) when the next one is saved, or it cannot be read."""
     start, printed = time.perf_counter(), 0
     try:
         problem = read_problem(path)
     except Malformed as error:
         _print(*map(str, error.complaints), f"{path.stem}: cannot be read")
-        return
+        return None
     with unstarted() as runner:
         whole = Verification(place, problem, variants, runner)
         for stage in whole.stages():
             printed = _new(whole, printed)
             if edition(place, path) != now:
                 _print(f"{problem.code}: saved again")
-                return
+                return None
             if stage in SLOW:
                 left = ", ".join(SLOW[SLOW.index(stage) :])
                 _print(f"{_so_far(whole, start)} so far; still running: {left}")
@@ -51,6 +56,7 @@ def verified(place: Bank, path: Path, variants: int, now: str) -> None:
     _print(*(f"note: {note}" for note in whole.tally.notes))
     ended = "" if whole.tally.complaints else f", {whole.walked.refused:.0%} of the draws redrawn: all hold"
     _print(f"{_so_far(whole, start)}{ended}")
+    return whole
 
 
 def _so_far(whole: Verification, start: float) -> str:

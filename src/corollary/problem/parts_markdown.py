@@ -17,8 +17,10 @@ ATTRIBUTE = re.compile(
 OPTION = re.compile(r"-\s+\((?P<letter>[a-zA-Z])\)\s+(?P<text>.+)")
 ID = re.compile(r"[a-z][a-z0-9_]*$")
 Complain = Callable[[str], None]
+EXPECTED = "expected"  # of all attributes the one that no student may read
 KNOWN = {
     "unit", "points", "components", "function", "letter", "slope", "rows", "columns", "tolerance", "because", "plausible", "hint",
+    EXPECTED,
 }  # fmt: skip
 SHARE = re.compile(r"\s*(\d+(?:\.\d+)?)\s*%\s*")
 SMALLEST, LARGEST = 1, 20  # per cent, of a tolerance of a part's own
@@ -29,8 +31,8 @@ MOST_ENTRIES = 40  # of a table
 
 def read_parts(
     path: Path, body: str, first_line: int, complaints: list[Diagnostic]
-) -> tuple[str, tuple[Part, ...]]:
-    """The statement and the parts; what is wrong is added to the complaints."""
+) -> tuple[str, tuple[Part, ...], tuple[tuple[str, str], ...]]:
+    """The statement, the parts, and by part the answer that the author expects; what is wrong is added to the complaints."""
     chunks: list[tuple[int, str, list[str]]] = [(first_line, "", [])]
     fenced = False
     for line, text in enumerate(body.splitlines(), first_line):
@@ -40,10 +42,16 @@ def read_parts(
         else:
             chunks[-1][2].append(text)
     parts: list[Part] = []
+    expected: dict[str, str] = {}
     for line, heading, lines in chunks[1:]:
         part = _part(path, line, heading, lines, complaints)
         if part is None:
             continue
+        if (answer := _expected(heading)) is not None:
+            expected[part.id] = answer
+            if not answer.strip():
+                sentence = f'part {part.id} has expected=""; say about what you expect: expected="about 40 s"'
+                complaints.append(Diagnostic(path, line, sentence))
         if any(part.id == other.id for other in parts):
             complaints.append(
                 Diagnostic(path, line, f"part {part.id} occurs twice; every part needs an id of its own")
@@ -60,7 +68,36 @@ def read_parts(
                     f"two parts are lettered {part.lettered}; their answers would have one name",
                 )
             )
-    return "\n".join(chunks[0][2]).strip(), tuple(parts)
+    return "\n".join(chunks[0][2]).strip(), tuple(parts), tuple(expected.items())
+
+
+def _expected(heading: str) -> str | None:
+    """The answer that the author expects, as it stands in a heading; None where it does not."""
+    match = HEADING.match(heading)
+    found = ATTRIBUTE.finditer((match["attributes"] if match else None) or "")
+    texts = [
+        each["quoted"] if each["quoted"] is not None else each["bare"]
+        for each in found
+        if each["name"] == EXPECTED
+    ]
+    return texts[-1] if texts else None
+
+
+def without_expected(text: str) -> str:
+    """The text of a problem's file without the answers that its author expects: what may be handed out."""
+    return "".join(map(_without_expected, text.splitlines(keepends=True)))
+
+
+def _without_expected(line: str) -> str:
+    match = HEADING.match(line) if line.startswith("## ") else None
+    if match is None or match["attributes"] is None:
+        return line
+    start, end = match.span("attributes")
+    places = [each.span() for each in ATTRIBUTE.finditer(line, start, end) if each["name"] == EXPECTED]
+    for first, last in reversed(places):
+        before = line[:first].rstrip(" ") if line[last] in " }" else line[:first]
+        line = before + line[last:]
+    return line
 
 
 def _part(path: Path, line: int, heading: str, lines: list[str], complaints: list[Diagnostic]) -> Part | None:

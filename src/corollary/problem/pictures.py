@@ -8,6 +8,7 @@ from pathlib import Path
 
 from corollary.figure.picture import KINDS, NotAPicture, address, checked
 from corollary.problem.diagnostic import Diagnostic
+from corollary.problem.parts_markdown import EXPECTED, without_expected
 
 PICTURE = re.compile(
     r"!\[(?P<alt>[^\]\n]*)\]\s?(?:\((?P<target>[^)\n]*)\)|\[(?P<label>[^\]\n]*)\])|<(?P<tag>img|svg)\b",
@@ -46,8 +47,11 @@ def pictures_of(path: Path) -> list[Path]:
 
 
 def packed_file(path: Path) -> bytes:
-    """A file with its pictures inside: what is kept of a problem that was handed out. The very bytes where it has none."""
+    """A file with its pictures inside, and without the answers that its author expects: what is kept of a problem that was handed
+    out. The very bytes where it has neither."""
     raw = path.read_bytes()
+    if EXPECTED.encode() in raw:
+        raw = without_expected(raw.decode("utf-8")).encode()
     return packed(path, raw.decode("utf-8"), 1, []).encode() if pictures_of(path) else raw
 
 

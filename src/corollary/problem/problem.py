@@ -35,7 +35,8 @@ class Description:
 @dataclass(frozen=True, slots=True)
 class Problem:
     """`written` is what its file has today, where this is the problem as it was handed out to somebody; `renamed` are then the
-    letters of givens that are called otherwise today: the one of today, and the one of the sheet."""
+    letters of givens that are called otherwise today: the one of today, and the one of the sheet. `expected` has the answers that
+    the author expects, as typed, by part: beside the parts and not in them, for what is made of a part is handed out."""
 
     code: str
     name: str
@@ -53,6 +54,7 @@ class Problem:
     written: Problem | None = None
     renamed: tuple[tuple[str, str], ...] = ()
     description: Description = Description()
+    expected: tuple[tuple[str, str], ...] = ()
 
     @property
     def as_written(self) -> Problem:

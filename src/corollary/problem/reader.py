@@ -92,7 +92,7 @@ def read_problem(path: Path) -> Problem:
         for at, sentence in read_lines(figure, letters)[1] if len(letters) == len(known) else ():
             front.complain(first_line + at, sentence)
     body = packed(path, body, line, complaints)
-    statement, parts = read_parts(path, body, line, complaints)
+    statement, parts, expected = read_parts(path, body, line, complaints)
     for text, first in ((body, line), (figure, first_line), (alt, alt_line)):
         _check_holes(path, text, first, {given.symbol: given for given in givens}, known, complaints)
     for text, at in ((title, title_line), *((part.title, part.line) for part in parts)):
@@ -128,6 +128,7 @@ def read_problem(path: Path) -> Problem:
         path,
         figure_line,
         description=description,
+        expected=expected,
     )
 
 

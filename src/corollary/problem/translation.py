@@ -214,7 +214,7 @@ def _read(path: Path, _state: int) -> ProblemTranslation:
     front.finish()
     lines = packed(path, body, line, complaints).splitlines()
     end = next((at for at, each in enumerate(lines) if each.strip() == TEXTS), len(lines))
-    statement, parts = read_parts(path, "\n".join(lines[:end]), line, complaints)
+    statement, parts, _ = read_parts(path, "\n".join(lines[:end]), line, complaints)
     listed = _text_list(path, lines[end + 1 :], line + end + 1, complaints)
     if complaints:
         raise Malformed(complaints)

@@ -17,6 +17,7 @@ from corollary.problem.problem import Problem
 from corollary.problem.variant import at, chapter, size
 from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked, Tally
+from corollary.verify.expected_answers import check_expected
 from corollary.verify.laws import check_cases, check_dimensions, check_laws
 from corollary.verify.obligations.check import check_obligations
 from corollary.verify.printed import check_printed
@@ -66,6 +67,7 @@ class Verification:
             yield "samples"
             check_samples(own, tally)
             check_printed(bank, solution, tally)
+            check_expected(own, tally)
             remark(bank, solution, own, tally)
             for stage in SLOW:
                 yield stage
