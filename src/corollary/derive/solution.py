@@ -179,7 +179,8 @@ class Solution:
     """All that is true of a problem; `unknowns` in the order in which they are found, choices and the like by part.
 
     `paths` are the ways to each part from the student's own answers to those asked before it. Where there are `regimes`, it is
-    the first of them; `case` is the text of the one it is. `meanings` say what letters stand for, where the author does.
+    the first of them; `case` is the text of the one it is, and `conditions` are those under which it holds. `meanings` say what
+    letters stand for, where the author does.
     """
 
     problem: Problem
@@ -195,6 +196,7 @@ class Solution:
     forces: Mapping[str, SolvedForces] = field(default_factory=dict[str, SolvedForces])
     always: tuple[ClaimedCondition, ...] = ()
     meanings: Mapping[str, str] = field(default_factory=dict[str, str])
+    conditions: tuple[Relation, ...] = ()
 
     @cached_property
     def results(self) -> dict[Hashable, Any]:

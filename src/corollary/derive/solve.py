@@ -138,6 +138,7 @@ class Solver:
         return Solution(
             self.problem, tuple(unknowns), choices, examples, proofs, rest, left, case=case, forces=forces,
             always=tuple(claims(entries, self.known, self.failing)), meanings=self.loaded.meanings,
+            conditions=self.conditions,
         )  # fmt: skip
 
     def failing(self, sentence: str, line: int = 0) -> NotDerivable:

@@ -2,22 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import islice, product
 
 from corollary.answers.evaluation import balls
+from corollary.answers.expected import Values
 from corollary.answers.tolerance import within
 from corollary.derive.solution import Rule, Solution, once
 from corollary.derive.statements import Mistake
-from corollary.formula.ball import Undefined
+from corollary.formula.ball import RationalPi, Undefined, holds
 from corollary.grading.key import Key, make_key, named
 from corollary.grading.replay import WhatIf, ancestors, exchanged, letters_of, replay
 from corollary.grading.rounding import MOST
-from corollary.problem.sampling import draws
-from corollary.problem.variant import Variant, chapter
+from corollary.problem.sampling import draws, sample
+from corollary.problem.variant import Variant, chapter, first_broken
 from corollary.units.unit import show
 
 APART = 0.005  # of the length: as much again as the least tolerance, so that a mistake rounded is not right either
+SAME = 1e-9  # relative: doubles of one value by two ways
+TRIED = (
+    40  # draws besides the printed numbers: a mistake that shows on a tenth of them is missed once in seventy
+)
+CORNERS = 64  # of the grid, tried besides
 ENOUGH = 300  # draws, when one was found that another student has: a grid so nearly used up is shared
 
 
@@ -138,6 +145,16 @@ def visible_mistakes(solution: Solution) -> list[VisibleMistake]:
     ]
 
 
+def hidden_mistakes(solution: Solution) -> Iterator[tuple[int, Mistake[Rule], list[str]]]:
+    """Mistakes that change no part, each with the place of its step and the parts where it would show first: no number is kept
+    from being dealt for them."""
+    visible = {(each.place, each.mistake.line, each.mistake.text) for each in visible_mistakes(solution)}
+    for place, find in enumerate(solution.unknowns):
+        for mistake in find.mistakes:
+            if (place, mistake.line, mistake.text) not in visible:
+                yield place, mistake, _first_asked(solution, place)
+
+
 def _first_asked(solution: Solution, place: int) -> list[str]:
     """The parts where a mistake at a step shows first."""
     find = solution.unknowns[place]
@@ -151,16 +168,57 @@ def _first_asked(solution: Solution, place: int) -> list[str]:
 
 
 def _differs(solution: Solution, place: int, rule: Rule, at: int) -> bool:
-    """Whether exchanging a rule changes a find at all, on the chapter's own numbers."""
-    if place == at:
-        return True
+    """Whether exchanging a rule changes a find for some numbers: the printed ones, where it may coincide, or those of other draws."""
+    return place == at or any(
+        _differs_for(solution, givens, place, rule, at) for givens in numbers_tried(solution)
+    )
+
+
+def numbers_tried(solution: Solution) -> Iterator[Mapping[str, RationalPi]]:
+    """The printed numbers first, which mostly decide; of a case, only numbers for which it holds."""
+    own = chapter(solution.problem).exact
+    if _in_case(solution, own):
+        yield own
+    yield from _other_numbers(solution)
+
+
+@once
+def _other_numbers(solution: Solution) -> list[dict[str, RationalPi]]:
+    """Draws, then corners of the grid, where a mistake of a small effect shows most."""
+    problem = solution.problem
+    found = sample(problem, TRIED * (5 if solution.conditions else 1), salt="mistakes")
+    fitting = [each.exact for each in found if _in_case(solution, each.exact)][:TRIED]
+    ends = [(0, given.grid.count - 1) if given.grid.count > 1 else (0,) for given in problem.givens]
+    for places in islice(product(*ends), CORNERS):
+        values = {given.symbol: given.grid[at] for given, at in zip(problem.givens, places, strict=True)}
+        variant = Variant(problem, values, None)
+        if first_broken(variant) is None and _in_case(solution, variant.exact):
+            fitting.append(variant.exact)
+    return fitting
+
+
+def _in_case(solution: Solution, givens: Mapping[str, RationalPi]) -> bool:
     try:
-        givens = chapter(solution.problem).exact
+        return all(holds(each, givens) for each in solution.conditions)
+    except Undefined:
+        return False
+
+
+def _differs_for(
+    solution: Solution, givens: Mapping[str, RationalPi], place: int, rule: Rule, at: int
+) -> bool:
+    try:
         truth = replay(solution, givens, until=at)[at]
         other = replay(solution, givens, WhatIf(rules={place: rule}), at)[at]
     except Undefined:
         return False
-    return not within(other, truth, 1e-9, max(map(abs, truth), default=0.0) or 1.0)
+    if not solution.problem.part(solution.unknowns[at].part).rows:
+        return not _alike(other, truth)
+    return not all(_alike((mine,), (theirs,)) for mine, theirs in zip(other, truth, strict=True))
+
+
+def _alike(values: Values, truth: Values) -> bool:
+    return within(values, truth, SAME, max(map(abs, truth), default=0.0) or 1.0)
 
 
 def _unasked_way(solution: Solution, start: int, end: int) -> bool:

@@ -18,6 +18,7 @@ from corollary.problem.variant import at, chapter, size
 from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked, Tally
 from corollary.verify.expected_answers import check_expected
+from corollary.verify.hidden_mistakes import check_hidden_mistakes
 from corollary.verify.laws import check_cases, check_dimensions, check_laws
 from corollary.verify.obligations.check import check_obligations
 from corollary.verify.printed import check_printed
@@ -69,6 +70,7 @@ class Verification:
             check_printed(bank, solution, tally)
             check_expected(own, tally)
             remark(bank, solution, own, tally)
+            check_hidden_mistakes(bank, solution, tally)
             for stage in SLOW:
                 yield stage
                 match stage:
