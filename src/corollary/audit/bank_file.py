@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -29,6 +29,8 @@ def xml_records(path: Path) -> tuple[ExerciseRecord, ...]:
     return moodle_records(path) if xml_of(path).tag == "quiz" else qti_records(path)
 
 
+OF_SEVERAL = "#"  # in an id, before the place or the name of one of several answers
+MOST_ANSWERS = 200  # of one question
 RECORDS = {".yaml", ".yml", ".json", ".csv"}
 READERS: Mapping[str, Callable[[Path], tuple[ExerciseRecord, ...]]] = {
     ".pg": webwork_records,
@@ -57,7 +59,7 @@ def records_of(
     if ending not in READERS:
         known = ", ".join(sorted({*RECORDS, *READERS}))
         raise Malformed([Diagnostic(path, 1, f"is of no kind that is read here ({known})")])
-    read = tuple(joined(each, laws.get(each.id), bare=True) for each in READERS[ending](path))
+    read = joined_each(READERS[ending](path), laws)
     if servers is None or ending != ".html":
         return read
     return tuple(
@@ -68,6 +70,44 @@ def records_of(
 def laws_by_id(path: Path | None) -> dict[str, ExerciseRecord]:
     """What a file of laws states for each exercise. Raises Malformed."""
     return {each.id: each for each in records_in(path, answers=False)} if path is not None else {}
+
+
+def joined_each(
+    exercises: Sequence[ExerciseRecord], laws: Mapping[str, ExerciseRecord]
+) -> tuple[ExerciseRecord, ...]:
+    """The answers of a bank, each with the laws of its own id (`fall#2`), of its place there, or of the whole exercise (`fall`).
+
+    The laws of a whole exercise ask for its answers by their names, or for as many as there are, in their order.
+    """
+    answers: dict[str, list[str]] = {}
+    for each in exercises:
+        answers.setdefault(each.id.partition(OF_SEVERAL)[0], []).append(each.id)
+    found: list[ExerciseRecord] = []
+    for each in exercises:
+        whole, mark, name = each.id.partition(OF_SEVERAL)
+        place = answers[whole].index(each.id) if len(answers[whole]) <= MOST_ANSWERS else 0
+        stated = laws.get(each.id) or (laws.get(f"{whole}{OF_SEVERAL}{place + 1}") if mark else None)
+        if stated is None and mark and whole in laws:
+            stated = _one_of(laws[whole], name, place, len(answers[whole]))
+            if stated is None:
+                why = f"its laws ask for {len(laws[whole].asked)} of its {len(answers[whole])} answers, and none is called {name}"
+                found.append(each if each.unread else replace(each, unread=why))
+                continue
+        found.append(joined(each, stated, bare=True))
+    return tuple(found)
+
+
+def _one_of(stated: ExerciseRecord, name: str, place: int, count: int) -> ExerciseRecord | None:
+    """The laws of a whole exercise, for one of its answers."""
+    letters = [each.letter for each in stated.asked]
+    if name in letters:
+        place = letters.index(name)
+    elif len(letters) != count:
+        return None
+    published = stated.published[place : place + 1]
+    return replace(
+        stated, id=f"{stated.id}{OF_SEVERAL}{name}", asked=(stated.asked[place],), published=published
+    )
 
 
 def joined(exercise: ExerciseRecord, stated: ExerciseRecord | None, bare: bool = False) -> ExerciseRecord:

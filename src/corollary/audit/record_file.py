@@ -10,12 +10,12 @@ from typing import TypeVar
 from corollary.audit.csv_rows import rows_in
 from corollary.audit.reading import asked_from, assumed_from, given_from
 from corollary.audit.record import AssumedValue, ExerciseRecord, LawText, StatedGiven, WrongLaw
+from corollary.audit.text_file import text_of
 from corollary.formula.syntax import author_formula
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import ListNode, Node, Reader, TableNode, TextNode, document
 from corollary.units.constants import CONSTANTS
 
-LARGEST_FILE = 20_000_000  # bytes
 MOST_RECORDS = 20_000
 OF_A_FILE = ("source", "address", "licence")
 NO_RECORD = "is no record; write `id: …` and what belongs to it"
@@ -30,20 +30,6 @@ class FileHead:
     conventions: tuple[Node, ...] = ()
     constants: tuple[str, ...] = ()
     laws: Mapping[str, LawText] = field(default_factory=dict[str, LawText])
-
-
-def text_of(path: Path) -> str:
-    """The text of a file of somebody else's. Raises Malformed where it cannot be read, is no text, or is too large."""
-    try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise Malformed(
-                [Diagnostic(path, 1, f"is larger than {LARGEST_FILE // 1_000_000} MB; divide it")]
-            )
-        return path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise Malformed([Diagnostic(path, 1, f"cannot be read: {error.strerror}")]) from None
-    except UnicodeDecodeError:
-        raise Malformed([Diagnostic(path, 1, "is no text in UTF-8; save it as UTF-8")]) from None
 
 
 def records_in(path: Path, answers: bool = True) -> tuple[ExerciseRecord, ...]:

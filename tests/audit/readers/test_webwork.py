@@ -36,6 +36,9 @@ READ = [
     (MV + "$a = $m;\n$a *= $v;\n$a = $a + 1;\nANS(num_cmp($a));", "m*v + 1", {"m": (1, 10)}),
     (MV + "=pod\n\n$x = 1;\n$a = $m/$v;\n\n=cut\n\n$a = $m*$v;\nANS(num_cmp($a));", "m*v", {"m": (1, 10)}),
     (MV + "TEXT(EV3(<<'EOT'));\nx;\n$a = $m/$v;\nEOT\n$a = $m*$v;\nANS(num_cmp($a));", "m*v", {"m": (1, 10)}),
+    (MV + "$power = $m*$v;\n$gamma = $power/2;\nANS(num_cmp($gamma));", "m*v/2", {"m": (1, 10)}),
+    ('$m = sprintf("%.2f", random(1,10,0.5));\nANS(num_cmp(2*$m));', "2*m", {"m": (1, 10)}),
+    ('$n = sprintf("%0.0f", random(2,9,1));\nANS(num_cmp(3*$n));', "3*n", {"n": (2, 9)}),
     ("$q = non_zero_random(-5,5,1);\n$v = 2*$q;\nANS(num_cmp($v));", "2*q", {"q": (-5, 5)}),
 ]  # fmt: skip
 NOT_READ = [
@@ -48,7 +51,15 @@ NOT_READ = [
     (MV + "if ($m > 3) { $v = 2; }\n$a = $m*$v;\nANS(num_cmp($a));", "conditions, loops"),
     (MV + "do { $u = random(1,5,1); } until ($u != $v);\nANS(num_cmp($u));", "conditions, loops"),
     (MV + "$m = $m + 1;\n$a = $m*$v;\nANS(num_cmp($a));", "given a value twice"),
-    (MV + "ANS(num_cmp($m)); ANS(num_cmp($v));", "2 answers"),
+    (MV + "ANS(num_cmp($m));\nBEGIN_PGML\n[__]{$v}\nEND_PGML", "others in ANS"),
+    (MV + "ANS(num_cmp($m)); ANS(@more);", "compares several"),
+    (MV + "$both = MultiAnswer($m, $v);\nANS($both->cmp); ANS(num_cmp($v));", "compares several"),
+    (MV + "NAMED_ANS(a => num_cmp($m), a => num_cmp($v));", "are called 'a'"),
+    (MV + "BEGIN_TEXT\n\\{ ANS(num_cmp($m)) \\}\nEND_TEXT\nANS(num_cmp($v));", "its text answers"),
+    (MV + "$a = $m*[$v + 1];\nANS(num_cmp($a));", "square brackets"),
+    (MV + '$n = sprintf("%0.0f", $m*$v);\nANS(num_cmp($n));', "to a whole one"),
+    (MV + "NAMED_ANS(num_cmp($m));", "NAMED_ANS with 1 arguments"),
+    (MV + "$gamma_v = 2;\n$gamma = 3;\nANS(num_cmp($m*$gamma));", "gamma_v is no letter"),
     (MV, "0 answers"),
     (MV + "$ans = 0.5*$m*$v^2;\nANS(Real($ans)->cmp);", "no power in Perl"),
     (MV + "$m += 1;\n$a = $m*$v;\nANS(num_cmp($a));", "given a value twice"),
@@ -81,6 +92,41 @@ def test_what_is_not_read_is_said(tmp_path, text, why):
     assert record.unread
     assert why in record.unread
     assert not record.published
+
+
+SEVERAL = [
+    ("ANS(num_cmp($m)); ANS(num_cmp($m*$v));", {"fall#1": "m", "fall#2": "m*v"}),
+    ("ANS(num_cmp($m), num_cmp($m*$v, tol => 0.1));", {"fall#1": "m", "fall#2": "m*v"}),
+    ("NAMED_ANS(p => num_cmp($m*$v), m => num_cmp($m));", {"fall#p": "m*v", "fall#m": "m"}),
+    ("LABELED_ANS('p', num_cmp($m*$v));\nLABELED_ANS('m', num_cmp($m));", {"fall#p": "m*v", "fall#m": "m"}),
+    ("WEIGHTED_ANS(num_cmp($m), 40, num_cmp($v), 60);", {"fall#1": "m", "fall#2": "v"}),
+    ("BEGIN_PGML\n[__]{$m} and [____]{Real($m*$v)}\nEND_PGML", {"fall#1": "m", "fall#2": "m*v"}),
+    ("ANS(str_cmp('up')); ANS(num_cmp($m)); ANS(num_cmp(int($v)));", {"fall#1": "", "fall#2": "m", "fall#3": ""}),
+    ("$p = NumberWithUnits($m*$v, 'N s');\nANS($p->cmp); ANS(num_cmp($v));", {"fall#1": "m*v", "fall#2": "v"}),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), SEVERAL)
+def test_each_answer_is_a_record(tmp_path, same, text, expected):
+    """One that is not made out costs itself alone, and the others keep their places."""
+    records = webwork_records(file_of(tmp_path, MV + text))
+    assert [each.id for each in records] == list(expected)
+    for record, key in zip(records, expected.values(), strict=True):
+        assert bool(record.unread) == (not key)
+        assert not key or same(*record.published, key)
+
+
+def test_the_answers_of_a_file_are_joined_with_laws_by_place_or_in_their_order(tmp_path):
+    path = file_of(tmp_path, MV + "ANS(num_cmp($m*$v)); ANS(num_cmp($m*$v**2));")
+    for stated, findings in [
+        ("- {id: fall, given: {m: kg, v: m/s}, laws: [p = m*v, E = m*v^2/2], asked: [p, E]}", ["agrees", "wrong"]),
+        ("- {id: fall#2, given: {m: kg, v: m/s}, laws: [E = m*v^2], asked: E}", ["cannot say", "agrees"]),
+        ("- {id: fall, given: {m: kg, v: m/s}, laws: [p = m*v], asked: p}", ["cannot say", "cannot say"]),
+    ]:
+        laws = tmp_path / "laws.yaml"
+        laws.write_text(stated, encoding="utf-8")
+        records = records_of(path, laws_by_id(laws))
+        assert [each.finding for record in records for each in examine(record)] == findings
 
 
 def test_nothing_of_it_is_executed(tmp_path):

@@ -16,7 +16,7 @@ from corollary.audit.readers.python_names import DRAWN, PythonNames, names_of
 from corollary.audit.readers.safe_xml import words_of
 from corollary.audit.readers.straight_line import NotRead, StraightLine
 from corollary.audit.record import ExerciseRecord
-from corollary.audit.record_file import text_of
+from corollary.audit.text_file import text_of
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.units.unit import unit as unit_named
 
@@ -151,7 +151,7 @@ def _program(path: Path) -> tuple[StraightLine, dict[str, str]]:
             raise NotRead(f"{each.name} is given a value twice")  # a key could mean either
         program.attempt(each.name, partial(_assign, program, names, each.name, each.value))
         if each.where == "letter" and each.name in program.unread:
-            raise NotRead(program.unread[each.name])  # it may have changed what is shown
+            raise program.unread[each.name]  # it may have changed what is shown
     for name, printed in body.params.items():
         if name in program.drawn and not (isinstance(printed, ast.Name) and printed.id == name):
             raise NotRead(f"params[{name!r}] is another number than {name}")

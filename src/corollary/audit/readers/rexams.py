@@ -9,7 +9,7 @@ from pathlib import Path
 
 from corollary.audit.readers.straight_line import NotRead, StraightLine, arguments_at, unrounded
 from corollary.audit.record import ExerciseRecord
-from corollary.audit.record_file import text_of
+from corollary.audit.text_file import text_of
 
 CHUNK = re.compile(r"```\{r([^}\n]*)\}[^\n]*\n(.*?)```|<<([^>\n]*)>>=[^\n]*\n(.*?)\n@", re.DOTALL)
 OPTION = re.compile(r"\beval\s*=\s*(\w+)|(?m:^)#\|\s*eval:\s*(\w+)")

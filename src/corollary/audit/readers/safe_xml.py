@@ -8,7 +8,7 @@ from html import unescape
 from pathlib import Path
 from xml.etree.ElementTree import Element, ParseError, iterparse
 
-from corollary.audit.record_file import text_of
+from corollary.audit.text_file import text_of
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 DEEPEST, MOST_ELEMENTS = 100, 2_000_000

@@ -9,7 +9,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self, final
 
-from corollary.audit.record_file import text_of
+from corollary.audit.text_file import text_of
 from corollary.formula.value import Items, Text, Value
 from corollary.sandbox.job import Cell, FunctionCall, Job, Limits
 from corollary.sandbox.result import ExecutionResult

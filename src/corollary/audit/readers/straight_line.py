@@ -6,9 +6,10 @@ import math
 import re
 from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
+from fractions import Fraction
 
 from corollary.audit.record import StatedGiven
-from corollary.formula.ast import Expr, Relation, names, substitute
+from corollary.formula.ast import Expr, Name, Relation, children, names, substitute
 from corollary.formula.ball import certified
 from corollary.formula.errors import Undefined
 from corollary.formula.exact import constant
@@ -17,6 +18,11 @@ from corollary.formula.text import text as written
 from corollary.units.unit import PURE
 
 LONGEST = 2000  # characters of an expression: a key is shorter
+MOST_STATEMENTS = 3000
+MOST_NODES, DEEPEST = (
+    2000,
+    100,
+)  # of a formula with all others put in: doubling each letter makes 2^n of n lines
 NAMED_OTHERWISE = {
     "arcsin": "asin", "arccos": "acos", "arctan": "atan", "ln": "ln", "log": "ln", "log10": "log10", "Math.sqrt": "sqrt",
 }  # fmt: skip
@@ -24,12 +30,19 @@ IN_DEGREES = {"deg2rad", "radians"}
 TO_DEGREES = {"rad2deg", "degrees"}
 CALL = re.compile(r"\b([A-Za-z_]\w*)\s*\(")
 LETTER = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
+DECIMAL = re.compile(r"-?(?:0|[1-9]\d{0,15})(?:\.\d{1,20})?")  # which needs no formula to be read
+LONGEST_SENTENCE = 300  # characters
+BRACKET = re.compile(r"[][(){},]")
 OCTAL = re.compile(r"(?<![\w.])0\d")  # 010 is 8 in Perl, and 10 in R
 SAME_PI = 1e-6  # relative: 3.141593 is meant for it, 3.14 is what the key was worked out with
 
 
 class NotRead(ValueError):
-    """What a reader cannot make out; one sentence says what."""
+    """What a reader cannot make out; one sentence says what. `letter` is the one that could not be, where it is not the one asked for."""
+
+    def __init__(self, sentence: str, letter: str = "") -> None:
+        super().__init__(shortened(f"{letter}: {sentence}" if letter else sentence))
+        self.letter, self.cause = letter, sentence
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +61,8 @@ class StraightLine:
 
     drawn: dict[str, StatedGiven] = field(default_factory=dict[str, StatedGiven])
     formulas: dict[str, Expr] = field(default_factory=dict[str, Expr])
-    unread: dict[str, str] = field(default_factory=dict[str, str])
+    unread: dict[str, NotRead] = field(default_factory=dict[str, NotRead])
+    sizes: dict[str, tuple[int, int]] = field(default_factory=dict[str, tuple[int, int]])
 
     def attempt(self, letter: str, assignment: Callable[[], None]) -> None:
         """An assignment to a letter, which may fail. Raises NotRead where the letter was drawn: the statement shows one of both."""
@@ -59,12 +73,12 @@ class StraightLine:
             self.unread.pop(letter, None)
         except NotRead as error:
             self.formulas.pop(letter, None)
-            self.unread[letter] = str(error)
+            self.unread[letter] = error if error.letter else NotRead(str(error), letter)
 
     def draw(self, letter: str, low: str, high: str) -> None:
         """A letter drawn between two numbers. Raises NotRead."""
         self._refuse_again(letter)
-        least, most = (constant(formula_from(each)) for each in (low, high))
+        least, most = (_number(each) for each in (low, high))
         if least is None or most is None or not least < most:
             raise NotRead(f"{letter} is drawn between {low} and {high}, which is no range of numbers")
         self.drawn[letter] = StatedGiven(letter, PURE, least, most)
@@ -72,7 +86,9 @@ class StraightLine:
     def draw_among(self, letter: str, values: list[str]) -> None:
         """A letter that is one of some numbers. Raises NotRead."""
         self._refuse_again(letter)
-        found = [constant(formula_from(each)) for each in values]
+        if len(values) > MOST_STATEMENTS:
+            raise NotRead(f"{letter} is drawn from more than {MOST_STATEMENTS} numbers")
+        found = [_number(each) for each in values]
         numbers = [each for each in found if each is not None]
         if len(numbers) < len(found) or len(set(numbers)) < 2:
             raise NotRead(f"{letter} is drawn from a list that is not of different numbers")
@@ -80,7 +96,7 @@ class StraightLine:
 
     def assign(self, letter: str, expression: str) -> None:
         """A letter that is an expression of those before it, itself among them. Raises NotRead."""
-        tree = self.inlined(expression)
+        tree, size = self._inlined(expression)
         if letter == "pi":
             _refuse_other_pi(tree)
             return
@@ -88,20 +104,30 @@ class StraightLine:
             raise NotRead(f"{letter} is no letter of a formula")
         if letter in self.drawn:
             self._refuse_again(letter)
-        self.formulas[letter] = tree
+        self.formulas[letter], self.sizes[letter] = tree, size
 
-    def inlined(self, expression: str) -> Expr:
-        """The expression in letters drawn alone. Raises NotRead."""
+    def _inlined(self, expression: str) -> tuple[Expr, tuple[int, int]]:
+        """The expression in letters drawn alone, and its size. Raises NotRead."""
         tree = formula_from(expression)
         for name in sorted(self.unread.keys() & (names(tree) | set(CALL.findall(expression)))):
-            raise NotRead(f"{name}: {self.unread[name]}")
+            raise NotRead(self.unread[name].cause, self.unread[name].letter)
         if strange := names(tree) - self.drawn.keys() - self.formulas.keys() - {"pi"}:
             raise NotRead(f"{sorted(strange)[0]} is not known where it is used")
-        return substitute(tree, self.formulas)
+        nodes, depth = self._size(tree)
+        if nodes > MOST_NODES or depth > DEEPEST:
+            raise NotRead("the key is too long a formula")
+        return substitute(tree, self.formulas), (nodes, depth)
+
+    def _size(self, tree: Expr) -> tuple[int, int]:
+        """The nodes of a formula with all letters put in, and how deep they are nested."""
+        if isinstance(tree, Name):
+            return self.sizes.get(tree.name, (1, 1))
+        below = [self._size(each) for each in children(tree)]
+        return 1 + sum(nodes for nodes, _ in below), 1 + max((depth for _, depth in below), default=0)
 
     def key(self, expression: str) -> PublishedFormula:
         """The key as a text in letters drawn. Raises NotRead."""
-        tree = self.inlined(expression)
+        tree, _ = self._inlined(expression)
         if len(text := written(tree)) > LONGEST:
             raise NotRead("the key is too long a formula")
         return PublishedFormula(text, tuple(self.drawn.values()), frozenset(self.formulas))
@@ -112,6 +138,29 @@ class StraightLine:
             raise NotRead(f"{letter} is no letter of a formula")
         if letter in self.drawn or letter in self.formulas:
             raise NotRead(f"{letter} is given a value twice")
+
+
+def shortened(sentence: str) -> str:
+    """A sentence of a length that people read, whatever it quotes."""
+    return sentence if len(sentence) <= LONGEST_SENTENCE else f"{sentence[: LONGEST_SENTENCE - 1]}…"
+
+
+def refuse_long(expression: str) -> None:
+    """Raises NotRead for what no key is as long as."""
+    if len(expression) > LONGEST:
+        raise NotRead("an expression is too long to be a key")
+
+
+def in_figures(number: Fraction) -> str:
+    """A number worked out, as it is published. Raises NotRead where it has no double."""
+    try:
+        return f"{float(number):.15g}"
+    except OverflowError:
+        raise NotRead("the answer is too large a number") from None
+
+
+def _number(text: str) -> Fraction | None:
+    return Fraction(text) if DECIMAL.fullmatch(text) else constant(formula_from(text))
 
 
 def _refuse_other_pi(tree: Expr) -> None:
@@ -126,8 +175,9 @@ def _refuse_other_pi(tree: Expr) -> None:
 
 def formula_from(expression: str) -> Expr:
     """An expression of Perl, Python, R or Moodle as a formula. Raises NotRead for whatever is none."""
-    if len(expression) > LONGEST:
-        raise NotRead("an expression is too long to be a key")
+    refuse_long(expression)
+    if "[" in expression:
+        raise NotRead(f"{expression!r} has square brackets, which make a list")
     if OCTAL.search(expression):
         raise NotRead(f"{expression!r} has a number that begins with 0, which not every language reads alike")
     text = expression.strip().replace("**", "^")
@@ -167,10 +217,10 @@ def _calls(text: str, depth: int) -> str:
 
 def arguments_at(text: str, start: int) -> tuple[list[str], int]:
     """The arguments of a call whose bracket has just been opened, and where the text goes on. Raises NotRead."""
-    depth, at, begin = 1, start, start
+    depth, begin = 1, start
     found: list[str] = []
-    for at in range(start, len(text)):
-        letter = text[at]
+    for bracket in BRACKET.finditer(text, start):
+        letter, at = bracket[0], bracket.start()
         depth += (letter in "([{") - (letter in ")]}")
         if depth == 0 or (depth == 1 and letter == ","):
             found.append(text[begin:at].strip())

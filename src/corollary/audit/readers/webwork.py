@@ -1,41 +1,45 @@
-"""WeBWorK `.pg`: variables drawn and assigned one after the other, and the one answer; parsed, never executed."""
+"""WeBWorK `.pg`: variables drawn and assigned one after the other, and its answers; parsed, never executed."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
-from corollary.audit.readers.straight_line import NotRead, StraightLine, arguments_at, formula_from
+from corollary.audit.readers.straight_line import (
+    MOST_STATEMENTS,
+    NotRead,
+    StraightLine,
+    arguments_at,
+    formula_from,
+    in_figures,
+    refuse_long,
+)
+from corollary.audit.readers.webwork_source import webwork_source
 from corollary.audit.record import ExerciseRecord
-from corollary.audit.record_file import text_of
+from corollary.audit.text_file import LARGEST_PROGRAM, text_of
+from corollary.formula.abbreviations import function_words
 from corollary.formula.exact import constant
 
-TEXT_BLOCK = re.compile(r"BEGIN_(\w+)\b.*?END_\1\b", re.DOTALL)
-HEREDOC = re.compile(r"<<\s*([\"']?)([A-Za-z_]\w*)\1([^\n]*)\n(.*?\n)?\2[ \t]*(?=\n|\Z)", re.DOTALL)
-DOCUMENTATION = re.compile(r"(?ms)^=[A-Za-z].*?(?:^=cut\b[^\n]*$|\Z)")
-CODE_IN_TEXT = re.compile(r"(?:\\\{|\[@)[^}@]*[$@%]\w+\s*(?:[-+*/.|&]|\*\*)?=(?![=~>])")
-COMMENT = re.compile(r"(?m)^\s*#.*$|(?<=;)\s*#.*$")
 ASSIGNED = re.compile(r"^(?:my\s+)?\$(\w+)\s*=\s*(.+)$", re.DOTALL)
 CONTROL = re.compile(r"\b(?:if|unless|for|foreach|while|until|do|sub)\b\s*[({]|[{]\s*$", re.MULTILINE)
 CHANGED = re.compile(
     r"\$\w+\s*(?:\+\+|--|(?:[-+*/.%x|&^]|\*\*|\|\||//)=(?![=~]))|(?:\+\+|--)\s*\$|\)\s*=(?![=~])"
 )
-QUOTED = re.compile(r"\"[^\"\n]*\"|'[^'\n]*'")
 VARIABLE = re.compile(r"\$\{?(\w+)\}?")
 WRAPPED = re.compile(
     r"(Real|Compute|Formula|NumberWithUnits|num_cmp|std_num_cmp|strict_num_cmp|NumberWithUnits_cmp)\s*\("
 )
 WITH_UNITS = {"NumberWithUnits", "NumberWithUnits_cmp"}
-IN_PGML = re.compile(r"\[_+\]\*?\{(.*?)\}", re.DOTALL)
-CONSTANT = re.compile(r"\$PI\b")
 PRINTED = re.compile(r"""sprintf\s*\(\s*["']%[\d.]*l?[feg]["']\s*,""", re.IGNORECASE)
-END = "ENDDOCUMENT"
-ANSWERED = re.compile(r"\bANS\s*\(")
+WHOLE = re.compile(r"""sprintf\s*\(\s*["']%0?\.0+f""")
+DRAWN = re.compile(r"(random|list_random|non_zero_random)\s*\(")
 UNIT_BEHIND = re.compile(r"""^["']\s*\$(\w+)\s+([^"'$]+)["']$""")
 RUN_TOGETHER = re.compile(r"[\w.]\$|\$\{?\w+\}?(?:\s*\$|(?<=\})\w|\.\d)")
 RAISED = re.compile(r"\$\{?(\w+)\}?\s*(?:\^|\*\*)")
+OF_FUNCTION = "_v"  # behind a variable that is called as a function is: `gamma_v`
 UPDATED = re.compile(r"^\$(\w+)\s*(\*\*|[-+*/])=\s*(.+)$", re.DOTALL)
 
 
@@ -54,19 +58,20 @@ class PerlProgram:
             letter, expression = assigned[1], assigned[2].strip()
         else:
             return
+        letter = _letter(letter)
         self.lines.attempt(letter, partial(self._assign, letter, expression))
 
     def _assign(self, letter: str, expression: str) -> None:
         self.units.pop(letter, None)
-        call = re.match(r"(random|list_random|non_zero_random)\s*\(", expression)
+        key, unit = self.key(expression)
+        call = DRAWN.match(key)
         if call is None:
-            key, unit = self.key(expression)
-            self.lines.assign(letter, VARIABLE.sub(r"\1", key))
+            self.lines.assign(letter, _letters(key))
             if unit:
                 self.units[letter] = unit
             return
-        inside, end = arguments_at(expression, call.end())
-        if expression[end:].strip():
+        inside, end = arguments_at(key, call.end())
+        if key[end:].strip() or unit:
             raise NotRead("what is drawn is changed at once")
         if call[1] == "list_random":
             self.lines.draw_among(letter, inside)
@@ -77,6 +82,7 @@ class PerlProgram:
 
     def key(self, answer: str) -> tuple[str, str]:
         """The expression inside of what compares it, and the unit that it is followed by. Raises NotRead."""
+        refuse_long(answer)
         text = re.sub(r"->\s*(?:cmp|with|evaluator)\b.*$", "", answer.strip(), flags=re.DOTALL).strip()
         unit = ""
         while (wrapped := WRAPPED.match(text) or PRINTED.match(text)) is not None:  # rounding is for the page
@@ -87,6 +93,8 @@ class PerlProgram:
                 unit = inside[1].strip("\"' ")
                 if "$" in unit or "=" in unit:
                     raise NotRead(f"the unit in {answer.strip()!r} is not read")
+            if WHOLE.match(text) and not DRAWN.match(inside[0]):
+                raise NotRead("a number that is worked out is rounded to a whole one")
             text = inside[0].strip()
         if (with_unit := UNIT_BEHIND.match(text)) is not None:
             text, unit = f"${with_unit[1]}", with_unit[2].strip()
@@ -94,7 +102,8 @@ class PerlProgram:
             text = self._interpolated(text)
         elif "^" in text:
             raise NotRead("^ is no power in Perl")
-        behind = {self.units[letter] for letter in VARIABLE.findall(text) if letter in self.units}
+        letters = [_letter(each) for each in VARIABLE.findall(text)]
+        behind = {self.units[letter] for letter in letters if letter in self.units}
         if behind and (unit or not VARIABLE.fullmatch(text)):
             raise NotRead("a number with a unit is calculated with")
         return text, unit or next(iter(behind), "")
@@ -107,45 +116,69 @@ class PerlProgram:
         if RUN_TOGETHER.search(inside):
             raise NotRead(f"{text!r} writes digits side by side")
         for letter in RAISED.findall(inside):
-            drawn = self.lines.drawn.get(letter)
+            drawn = self.lines.drawn.get(_letter(letter))
             if drawn is None or drawn.low is None or drawn.low < 0:
                 raise NotRead(f"{text!r} raises ${letter}, which may be written with a minus sign")
         return inside
 
 
 def webwork_records(path: Path) -> tuple[ExerciseRecord, ...]:
-    """The one exercise of a file. Raises Malformed."""
+    """The answers of a file, each a record: `fall` where it is the only one, else `fall#2`. Raises Malformed."""
     bare = ExerciseRecord(path.stem, path, 1)
     try:
-        return (_read(text_of(path), bare),)
+        source = webwork_source(text_of(path, LARGEST_PROGRAM))
+        if not source.answers:
+            raise NotRead("it has 0 answers")
+        program = _program(source.text, source.statements)
     except NotRead as error:
         return (replace(bare, unread=str(error)),)
+    if len(source.answers) == 1:
+        return tuple(_record(bare, program, each) for each in source.answers.values())
+    return tuple(
+        _record(replace(bare, id=f"{path.stem}#{name}"), program, each)
+        for name, each in source.answers.items()
+    )
 
 
-def _read(source: str, bare: ExerciseRecord) -> ExerciseRecord:
-    source = CONSTANT.sub("pi", DOCUMENTATION.sub("", source))
-    blocks = [each[0] for each in (*TEXT_BLOCK.finditer(source), *HEREDOC.finditer(source))]
-    if any(map(CODE_IN_TEXT.search, blocks)):
-        raise NotRead("its text assigns something")
-    answers = [found[1] for block in blocks for found in IN_PGML.finditer(block)]
-    program_text = COMMENT.sub("", HEREDOC.sub(r"''\3", TEXT_BLOCK.sub("", source)))
-    program_text = QUOTED.sub(lambda found: found[0].replace(";", " "), program_text).partition(END)[0]
-    for found in ANSWERED.finditer(program_text):
-        answers.append(", ".join(arguments_at(program_text, found.end())[0]))
-    if len(answers) != 1:
-        raise NotRead(f"it has {len(answers)} answers, and one is read")
-    if CONTROL.search(program_text):
+def _program(text: str, statements: Sequence[str]) -> PerlProgram:
+    """Raises NotRead."""
+    if CONTROL.search(text):
         raise NotRead("its program has conditions, loops or routines; one of assignments alone is read")
-    program, statements = PerlProgram(), [each.strip() for each in program_text.split(";")]
+    if len(statements) > MOST_STATEMENTS:
+        raise NotRead(f"its program has more than {MOST_STATEMENTS} statements")
     if any(CHANGED.search(UPDATED.sub("", each)) for each in statements):
         raise NotRead("a variable is changed after it was assigned")
+    for name in VARIABLE.findall(text):
+        if name.removesuffix(OF_FUNCTION) != name and name.removesuffix(OF_FUNCTION) in function_words():
+            raise NotRead(f"{name} is no letter here")
+    program = PerlProgram()
     for statement in statements:
         program.state(statement)
-    expression, unit = program.key(answers[0])
+    return program
+
+
+def _record(bare: ExerciseRecord, program: PerlProgram, answer: str) -> ExerciseRecord:
+    try:
+        return _answered(bare, program, answer)
+    except NotRead as error:
+        return replace(bare, unread=str(error))
+
+
+def _answered(bare: ExerciseRecord, program: PerlProgram, answer: str) -> ExerciseRecord:
+    expression, unit = program.key(answer)
     if "$" not in expression and re.match(r"[-+\d.]", expression):
         return replace(bare, published=(f"{expression} {unit}".strip(),))
-    key = program.lines.key(VARIABLE.sub(r"\1", expression))
+    key = program.lines.key(_letters(expression))
     number = constant(formula_from(key.text))
     if number is not None:
-        return replace(bare, given=key.drawn, published=(f"{float(number):.15g} {unit}".strip(),))
+        return replace(bare, given=key.drawn, published=(f"{in_figures(number)} {unit}".strip(),))
     return replace(bare, given=key.drawn, published=(key.text,), worked_out=key.worked_out, key_unit=unit)
+
+
+def _letters(expression: str) -> str:
+    """Variables as letters; one that is called as a function is here ends otherwise."""
+    return VARIABLE.sub(lambda found: _letter(found[1]), expression)
+
+
+def _letter(name: str) -> str:
+    return f"{name}{OF_FUNCTION}" if name in function_words() else name

@@ -1,0 +1,151 @@
+"""A file of WeBWorK taken apart in one pass: its program without texts and comments, and its answers in their order."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from corollary.audit.readers.straight_line import NotRead, arguments_at
+
+BLOCK_MARK = re.compile(r"(BEGIN|END)_(\w+)")
+HEREDOC = re.compile(r"<<\s*([\"']?)([A-Za-z_]\w*)\1")
+DOCUMENTATION = re.compile(r"(?ms)^=[A-Za-z].*?(?:^=cut\b[^\n]*$|\Z)")
+CODE_IN_TEXT = re.compile(r"\\\{|\[@")
+CODE_ENDS = re.compile(r"[}@]")
+ASSIGNMENT = re.compile(r"[$@%]\w+\s*(?:[-+*/.|&]|\*\*)?=(?![=~>])")
+COMMENT = re.compile(r"(?m)^[^\S\n]*#.*$|(?<=;)[^\S\n]*#.*$")
+QUOTED = re.compile(r"\"[^\"\n]*\"|'[^'\n]*'")
+PGML_BLANK = re.compile(r"\[_+\]\*?\{")
+CONSTANT = re.compile(r"\$PI\b")
+END = "ENDDOCUMENT"
+ANSWERED = re.compile(r"\b((?:(?:LABELED|NAMED|WEIGHTED|NAMED_WEIGHTED)_)?ANS)\s*\(")
+SEVERAL = re.compile(r"@|\w_list\s*\(|\[")
+TOGETHER = re.compile(r"\b(?:Radio)?MultiAnswer\s*\(")
+MOST_ANSWERS = 100
+
+
+@dataclass(frozen=True, slots=True)
+class WebworkSource:
+    """`statements` are those of the program, `text` is the whole of it; `answers` is what compares each answer, by its label if it
+    has one and its place, from 1, if not."""
+
+    text: str
+    statements: tuple[str, ...]
+    answers: dict[str, str]
+
+
+def webwork_source(source: str) -> WebworkSource:
+    """Raises NotRead where a text assigns or answers something, and where the answers cannot be told apart."""
+    source = CONSTANT.sub("pi", DOCUMENTATION.sub("", source))
+    source, blocks = _without_blocks(source)
+    source, heredocs = _without_heredocs(source)
+    texts = [*blocks, *heredocs]
+    if any(map(_assigns, texts)):
+        raise NotRead("its text assigns something")
+    if any(map(ANSWERED.search, texts)):
+        raise NotRead("its text answers something")
+    source = COMMENT.sub("", source)
+    source = QUOTED.sub(lambda found: found[0].replace(";", " "), source).partition(END)[0]
+    if len(ANSWERED.findall(QUOTED.sub("''", source))) < len(ANSWERED.findall(source)):
+        raise NotRead("a text within its program speaks of ANS")
+    in_pgml = [each for text in texts for each in _blanks(text)]
+    in_program = list(_answers(source))
+    if in_pgml and in_program:
+        raise NotRead("it has answers in PGML and others in ANS")
+    answers: dict[str, str] = {}
+    for label, answer in in_program or [("", each) for each in in_pgml]:
+        name = label or str(len(answers) + 1)
+        if name in answers:
+            raise NotRead(f"two of its answers are called {name!r}")
+        answers[name] = answer
+    if len(answers) > 1 and (any(map(SEVERAL.search, answers.values())) or TOGETHER.search(source)):
+        raise NotRead("one of its answers compares several, and which is which is not certain")
+    return WebworkSource(source, tuple(each.strip() for each in source.split(";")), answers)
+
+
+def _without_blocks(source: str) -> tuple[str, list[str]]:
+    """What is left of a program without BEGIN_TEXT … END_TEXT and the like, and these."""
+    marks = list(BLOCK_MARK.finditer(source))
+    last_end = {each[2]: each.start() for each in marks if each[1] == "END"}
+    rest, blocks = list[str](), list[str]()
+    at, begun = 0, None
+    for mark in marks:
+        if begun is None:
+            if mark[1] == "BEGIN" and last_end.get(mark[2], -1) > mark.start():
+                rest.append(source[at : mark.start()])
+                begun = mark
+        elif mark[1] == "END" and mark[2] == begun[2]:
+            blocks.append(source[begun.start() : mark.end()])
+            at, begun = mark.end(), None
+    return "".join([*rest, source[at:]]), blocks
+
+
+def _without_heredocs(source: str) -> tuple[str, list[str]]:
+    """The same for texts `<<'END'`, which begin on the next line and end with a line that is the word alone."""
+    ends: dict[str, list[int]] = {}
+    starts, start = list[int](), 0
+    for line in source.split("\n"):
+        starts.append(start)
+        ends.setdefault(line.rstrip(" \t"), []).append(start)
+        start += len(line) + 1
+    rest, texts, at = list[str](), list[str](), 0
+    for found in HEREDOC.finditer(source):
+        if found.start() < at:
+            continue
+        line = bisect_left(starts, found.end())  # the next one
+        closing = ends.get(found[2], [])
+        place = bisect_left(closing, starts[line]) if line < len(starts) else len(closing)
+        if place < len(closing):
+            rest += [source[at : found.start()], "''", source[found.end() : starts[line]]]
+            at = closing[place] + len(found[2])
+            texts.append(source[starts[line] : closing[place]])
+    return "".join([*rest, source[at:]]), texts
+
+
+def _assigns(text: str) -> bool:
+    """Whether code within a text, in `\\{ … \\}` or `[@ … @]`, gives a variable a value."""
+    at = 0
+    while (begins := CODE_IN_TEXT.search(text, at)) is not None:
+        ends = CODE_ENDS.search(text, begins.end())
+        at = ends.start() if ends is not None else len(text)
+        if ASSIGNMENT.search(text[begins.end() : at]) or ASSIGNMENT.match(text, at):
+            return True
+    return False
+
+
+def _blanks(text: str) -> Iterator[str]:
+    """The answers in `[____]{ … }`. Raises NotRead."""
+    at, found = 0, 0
+    while (blank := PGML_BLANK.search(text, at)) is not None:
+        inside, at = arguments_at(text, blank.end())
+        yield ", ".join(inside)
+        found += 1
+        if found > MOST_ANSWERS:
+            raise NotRead(f"it has more than {MOST_ANSWERS} answers")
+
+
+def _answers(program: str) -> Iterator[tuple[str, str]]:
+    """Each answer with its label, "" for none. Raises NotRead."""
+    at, found = 0, 0
+    while (answered := ANSWERED.search(program, at)) is not None:
+        inside, at = arguments_at(program, answered.end())
+        match answered[1]:
+            case "ANS":
+                pairs = [("", each) for each in inside]
+            case "WEIGHTED_ANS":
+                pairs = [("", each) for each in inside[::2]]
+            case kind:
+                flat = [each for one in inside for each in (one.split("=>", 1) if "=>" in one else [one])]
+                step = 3 if kind == "NAMED_WEIGHTED_ANS" else 2
+                if len(flat) % step:
+                    raise NotRead(f"{kind} with {len(inside)} arguments is not read")
+                pairs = [
+                    (label.strip(" \n\"'"), each)
+                    for label, each in zip(flat[::step], flat[1::step], strict=True)
+                ]
+        yield from pairs
+        found += len(pairs)
+        if found > MOST_ANSWERS:
+            raise NotRead(f"it has more than {MOST_ANSWERS} answers")
