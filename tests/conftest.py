@@ -109,6 +109,13 @@ def jupyter():
     return started
 
 
+@pytest.fixture(autouse=True)
+def in_english() -> Iterator[None]:
+    """A course in another language has this process speak it from then on."""
+    yield
+    messages.speak("en")
+
+
 @pytest.fixture
 def calls_of():
     """How many functions something calls, those of C included: work that does not depend on the machine."""

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import Future
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -15,7 +14,7 @@ from corollary.grading.solutions import Solutions
 from corollary.messages import speak, spoken
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
-from corollary.parallel import begin, cores, way_to_start
+from corollary.parallel import ProcessDied, Processes, cores
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant
@@ -51,7 +50,7 @@ class Makers:
     course: Course
     problem_set: ProblemSet
     solutions: Solutions
-    pool: ProcessPoolExecutor | None = field(default=None)
+    pool: Processes | None = field(default=None)
 
     def draw(self, students: Sequence[str]) -> Iterator[Drawn]:
         """In the order of the students. Raises NoVariant."""
@@ -69,10 +68,7 @@ class Makers:
     def _begin(
         self, work: Callable[[Makers, Sequence[T]], list[R]], part: Sequence[T]
     ) -> Future[list[R]] | None:
-        try:
-            return None if self.pool is None else self.pool.submit(_in_worker, work, part)
-        except BrokenProcessPool:
-            return None
+        return None if self.pool is None else self.pool.submit(_in_worker, work, part)
 
     def _results(
         self,
@@ -82,7 +78,7 @@ class Makers:
         for part, future in begun:
             try:
                 yield from work(self, part) if future is None else future.result()
-            except BrokenProcessPool:  # a process was killed: what it was at is done here
+            except ProcessDied:  # a process was killed: what it was at is done here
                 yield from work(self, part)
 
 
@@ -98,20 +94,14 @@ def makers(
         return
     for problem in problem_set.problems:
         solutions.of(problem)  # once, before there are processes that would each do it
-    with ProcessPoolExecutor(
-        most, mp_context=way_to_start(), initializer=_start, initargs=(here, spoken())
-    ) as here.pool:
-        try:
-            yield here
-        finally:
-            here.pool.shutdown(cancel_futures=True)
+    with Processes(most, _start, here, spoken()) as here.pool:
+        yield here
 
 
 _at_work: list[Makers] = []  # of a worker process
 
 
 def _start(context: Makers, language: str) -> None:
-    begin()
     speak(language)
     _at_work.append(Makers(context.course, context.problem_set, context.solutions))
 

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import string
 from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import Future
 from functools import partial
 from itertools import product
 from typing import TypeVar
 
 from corollary.messages import speak, spoken
-from corollary.parallel import begin, cores, way_to_start
+from corollary.parallel import ProcessDied, Processes, cores
 from corollary.problem.roster import Student
 from corollary.render.paper.print_run import Pages, PrintRun
 
@@ -35,26 +34,19 @@ def print_files(run: PrintRun, done: Callable[[str], None]) -> dict[str, bytes]:
     if cores() < 2 or len(run.sheets) < WORTH_A_POOL:
         pages = [run.pages(sheet) for sheet in run.sheets]
         return _collected(run, map(run.printed, run.sheets, pages), done) | run.together(pages)
-    with ProcessPoolExecutor(
-        cores(), mp_context=way_to_start(), initializer=_start, initargs=(run, spoken())
-    ) as pool:
-        try:
-            written = [pool.submit(_pages, at) for at in range(len(run.sheets))]
-            pages = [
-                _result(future, partial(run.pages, sheet))
-                for future, sheet in zip(written, run.sheets, strict=True)
-            ]
-            together = pool.submit(
-                _together, pages
-            )  # the longest job is the first, so that none waits for it
-            futures = [pool.submit(_printed, at, each) for at, each in enumerate(pages)]
-            each = (
-                _result(future, partial(run.printed, sheet, pages[at]))
-                for at, (future, sheet) in enumerate(zip(futures, run.sheets, strict=True))
-            )
-            return _collected(run, each, done) | _result(together, partial(run.together, pages))
-        finally:
-            pool.shutdown(cancel_futures=True)
+    with Processes(cores(), _start, run, spoken()) as pool:
+        written = [pool.submit(_pages, at) for at in range(len(run.sheets))]
+        pages = [
+            _result(future, partial(run.pages, sheet))
+            for future, sheet in zip(written, run.sheets, strict=True)
+        ]
+        together = pool.submit(_together, pages)  # the longest job is the first, so that none waits for it
+        futures = [pool.submit(_printed, at, each) for at, each in enumerate(pages)]
+        each = (
+            _result(future, partial(run.printed, sheet, pages[at]))
+            for at, (future, sheet) in enumerate(zip(futures, run.sheets, strict=True))
+        )
+        return _collected(run, each, done) | _result(together, partial(run.together, pages))
 
 
 def _collected(
@@ -71,12 +63,11 @@ def _collected(
 def _result(future: Future[T], here: Callable[[], T]) -> T:
     try:
         return future.result()
-    except BrokenProcessPool:  # a process was killed: what it was at is done here
+    except ProcessDied:  # a process was killed: what it was at is done here
         return here()
 
 
 def _start(run: PrintRun, language: str) -> None:
-    begin()
     speak(language)
     _at_work.append(run)
 

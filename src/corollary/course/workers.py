@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import FIRST_COMPLETED, wait
 from contextlib import AbstractContextManager, contextmanager
 from itertools import islice
 
 from corollary.grading.submission import GradingContext, Submission
 from corollary.messages import speak
 from corollary.nbgrader.graded import GradedSubmission, grade_submission, not_graded
-from corollary.parallel import begin, cores, way_to_start
+from corollary.parallel import ProcessDied, Processes, cores
 from corollary.sandbox.folders import remove_abandoned
 from corollary.sandbox.runner import Runner
 
 Execute = Callable[[GradingContext, Iterable[Submission]], AbstractContextManager[Iterator[GradedSubmission]]]
-Pending = dict[Future[GradedSubmission], Submission]
 AHEAD = 2  # submissions at a time for each worker: enough that none is idle, few enough to hold in memory
 WORTH_A_WORKER = 6  # a warm process takes about as long to start as marking this many
 
@@ -45,72 +43,52 @@ def side_by_side(jobs: int) -> Execute:
     def execute(
         context: GradingContext, submissions: Iterable[Submission]
     ) -> Generator[Iterator[GradedSubmission]]:
-        waiting = iter(submissions)
-        pool = _pool(context, jobs)
+        done = _as_done(context, jobs, iter(submissions))
         try:
-            pending = _submit(pool, islice(waiting, AHEAD * jobs))
-            yield _as_done(context, jobs, pool, pending, waiting)
+            yield done
         finally:
-            pool.shutdown(cancel_futures=True)
-            remove_abandoned()  # a process of a pool ends without a word, by ctrl-C at once: its folder is left
+            done.close()
+            remove_abandoned()  # a process ends without a word, by ctrl-C at once: its folder is left
 
     return execute
 
 
 def _as_done(
-    context: GradingContext,
-    jobs: int,
-    pool: ProcessPoolExecutor,
-    pending: Pending,
-    waiting: Iterator[Submission],
-) -> Iterator[GradedSubmission]:
-    lost: list[Submission] = []
-    while pending:
-        for future in wait(pending, return_when=FIRST_COMPLETED).done:
-            submission = pending.pop(future)
-            try:
-                graded = future.result()
-            except BrokenProcessPool:
-                lost.append(submission)
-                continue
-            if not lost:
-                pending |= _submit(pool, islice(waiting, 1))
-            yield graded
-    if not lost:
-        return
-    # A worker died, and with it the pool: what any of them was at is done once more, alone, and the rest by a new pool.
-    for submission in lost:
-        yield _alone(context, submission)
-    with side_by_side(jobs)(context, waiting) as rest:
-        yield from rest
+    context: GradingContext, jobs: int, waiting: Iterator[Submission]
+) -> Generator[GradedSubmission]:
+    while begun := list(islice(waiting, AHEAD * jobs)):
+        lost: list[Submission] = []
+        with _processes(context, jobs) as processes:
+            pending = {processes.submit(_grade, each): each for each in begun}
+            while pending:
+                for future in wait(pending, return_when=FIRST_COMPLETED).done:
+                    submission = pending.pop(future)
+                    try:
+                        graded = future.result()
+                    except ProcessDied:
+                        lost.append(submission)
+                        continue
+                    if not lost:
+                        pending |= {processes.submit(_grade, each): each for each in islice(waiting, 1)}
+                    yield graded
+        # A process died: what it was at is done once more, alone, and the rest by as many processes as before.
+        for submission in lost:
+            yield _alone(context, submission)
 
 
 def _alone(context: GradingContext, submission: Submission) -> GradedSubmission:
-    with _pool(context, 1) as pool:
+    with _processes(context, 1) as process:
         try:
-            return pool.submit(_grade, submission).result()
-        except BrokenProcessPool:
+            return process.submit(_grade, submission).result()
+        except ProcessDied:
             return not_graded(context, submission, "the process that marked it died, twice")
 
 
-def _pool(context: GradingContext, jobs: int) -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(jobs, mp_context=way_to_start(), initializer=_begin, initargs=(context,))
-
-
-def _submit(pool: ProcessPoolExecutor, submissions: Iterable[Submission]) -> Pending:
-    pending: Pending = {}
-    for each in submissions:
-        try:
-            pending[pool.submit(_grade, each)] = each
-        except BrokenProcessPool as error:  # then it is lost as those are that were submitted before
-            failed: Future[GradedSubmission] = Future()
-            failed.set_exception(error)
-            pending[failed] = each
-    return pending
+def _processes(context: GradingContext, count: int) -> Processes:
+    return Processes(count, _begin, context)
 
 
 def _begin(context: GradingContext) -> None:
-    begin()
     speak(context.language)
     _at_work.append((context, context.runner()))
 

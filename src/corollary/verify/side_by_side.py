@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import Future
 from contextlib import AbstractContextManager, contextmanager
 
-from corollary.parallel import begin, cores, way_to_start
+from corollary.parallel import ProcessDied, Processes, cores
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.sandbox.folders import remove_abandoned
@@ -34,14 +33,11 @@ def verify_each(todo: Todo, count: int, jobs: int | None = None) -> Generator[It
         if most < 2:
             yield map(here, range(len(todo)))
             return
-        pool = ProcessPoolExecutor(
-            most, mp_context=way_to_start(), initializer=_begin, initargs=(todo, count)
-        )
         try:
-            begun = {place: pool.submit(_there, place) for place in longest_first(todo)}
-            yield _in_order([begun[place] for place in range(len(todo))], here)
+            with Processes(most, _begin, todo, count) as processes:
+                begun = {place: processes.submit(_there, place) for place in longest_first(todo)}
+                yield _in_order([begun[place] for place in range(len(todo))], here)
         finally:
-            pool.shutdown(cancel_futures=True)
             remove_abandoned()  # a process of a pool ends without a word: the folder of its runner is left
 
 
@@ -54,12 +50,11 @@ def _in_order(begun: Sequence[Future[Checked]], here: Callable[[int], Checked]) 
     for place, future in enumerate(begun):
         try:
             yield future.result()
-        except BrokenProcessPool:  # a process was killed: what it was at is done here, and what was to come
+        except ProcessDied:  # what a killed one was at is done here, and where none is left what was to come
             yield here(place)
 
 
 def _begin(todo: Todo, count: int) -> None:
-    begin()
     _at_work.append((todo, count, Runner()))
 
 
