@@ -14,6 +14,7 @@ from corollary.audit.readers.qti import qti_records
 from corollary.audit.readers.rexams import rexams_records
 from corollary.audit.readers.safe_xml import xml_of
 from corollary.audit.readers.server_draw import ServerRuns
+from corollary.audit.readers.straight_line import MOST_ANSWERS
 from corollary.audit.readers.webwork import webwork_records
 from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven
 from corollary.audit.record_file import records_in
@@ -30,7 +31,6 @@ def xml_records(path: Path) -> tuple[ExerciseRecord, ...]:
 
 
 OF_SEVERAL = "#"  # in an id, before the place or the name of one of several answers
-MOST_ANSWERS = 200  # of one question
 RECORDS = {".yaml", ".yml", ".json", ".csv"}
 READERS: Mapping[str, Callable[[Path], tuple[ExerciseRecord, ...]]] = {
     ".pg": webwork_records,

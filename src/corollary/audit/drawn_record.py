@@ -9,9 +9,9 @@ from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 
-from corollary.audit.readers.prairielearn import inputs_of, known_unit
+from corollary.audit.readers.prairielearn import inputs_of
 from corollary.audit.readers.server_draw import ServerDraw, ServerRuns
-from corollary.audit.readers.straight_line import NotRead
+from corollary.audit.readers.straight_line import NotRead, known_unit
 from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven
 from corollary.formula.ast import names
 from corollary.formula.numerals import decimal_text

@@ -72,8 +72,67 @@ def test_a_number_and_another_type(tmp_path):
     path = tmp_path / "a.Rmd"
     path.write_text("Meta-information\n====\nextype: num\nexsolution: 4.9\n", encoding="utf-8")
     assert rexams_records(path)[0].published == ("4.9",)
-    path.write_text("Meta-information\n====\nextype: schoice\nexsolution: 0100\n", encoding="utf-8")
-    assert "schoice" in rexams_records(path)[0].unread
+    path.write_text("Meta-information\n====\nextype: string\nexsolution: up\n", encoding="utf-8")
+    assert "type string" in rexams_records(path)[0].unread
+
+
+CODE = "```{r}\nm <- sample(2:9, 1)\nF <- m*2\n```\n"
+CHOICE = CODE + (
+    "Question\n========\nHow much?\n\nAnswerlist\n----------\n%s\nSolution\n========\nSo.\n\nAnswerlist\n----------\n"
+    "* no\n* yes\n\nMeta-information\n====\nextype: %s\nexsolution: %s\n"
+)
+LATEX_CHOICE = (
+    "\\begin{question}\nHow much?\n\\begin{answerlist}\n  \\item $5$ N\n  \\item 10 N\n\\end{answerlist}\n\\end{question}\n"
+    "\\begin{solution}\n\\begin{answerlist}\n\\item 3 N\n\\end{answerlist}\n\\end{solution}\n"
+    "\\extype{schoice}\n\\exsolution{%s}\n"
+)
+CHOICES = [
+    ("* 5 N\n* 10 N\n* 20 N\n", "schoice", "010", ["10 N"]),
+    ("* 5 N\n- $10$ N\n", "mchoice", "01", ["10 N"]),
+    ("* 5 N\n* 10 N\n", "mchoice", "11", ["2 of its options are marked"]),
+    ("* 5 N\n* 10 N\n", "schoice", "010", ["which of its 2 options"]),
+    ("* 5 N\n* `r F` N\n", "schoice", "01", ["m*2"]),
+    ("* 5 N\n* `r F` apples\n", "schoice", "01", ["is no unit"]),
+    ("* 5 N\n* 10 N\n  or 12 N\n", "schoice", "01", ["10 N or 12 N"]),
+    ("* up\n* down\n", "schoice", "01", ["is no number"]),
+    ("* 5 N\n* 10 N\n", "schoice", "`r mchoice2string(ok)`", ["does not say which"]),
+    ("`r answerlist(F, m)`", "schoice", "01", ["which of its 0 options"]),
+    ("", "cloze", "`r F`|`r m`|4.5\nexclozetype: num|num|num", ["m*2", "m", "4.5"]),
+    (
+        "* how much?\n* 5 N\n* 10 N\n* why?\n",
+        "cloze",
+        "`r F`|01|text\nexclozetype: num|schoice|string",
+        ["m*2", "10 N", "of type string"],
+    ),
+    ("* 5 N\n* 10 N\n", "cloze", "`r F`|01\nexclozetype: num|schoice", ["m*2", "which of its 0 options"]),
+    ("", "cloze", "`r F`|`r m`\nexclozetype: num", ["1 kinds of answers and 2 solutions"]),
+    ("", "cloze", "`r paste(F, m, sep = '|')`\nexclozetype: num|num", ["2 kinds of answers and 1 solutions"]),
+]
+
+
+@pytest.mark.parametrize(("options", "kind", "solution", "expected"), CHOICES)
+def test_choices_and_clozes(tmp_path, same, options, kind, solution, expected):
+    path = tmp_path / "fall.Rmd"
+    path.write_text(CHOICE % (options, kind, solution), encoding="utf-8")
+    records = rexams_records(path)
+    names = ["fall"] if len(expected) == 1 else [f"fall#{place}" for place in range(1, len(expected) + 1)]
+    assert [each.id for each in records] == names
+    for record, text in zip(records, expected, strict=True):
+        assert (text in record.unread) if record.unread else same(*record.published, text)
+
+
+def test_a_choice_in_latex(tmp_path):
+    path = tmp_path / "fall.Rnw"
+    path.write_text(LATEX_CHOICE % "10", encoding="utf-8")
+    assert rexams_records(path)[0].published == ("5 N",)
+    path.write_text(LATEX_CHOICE % "100", encoding="utf-8")
+    assert "which of its 2 options" in rexams_records(path)[0].unread
+
+
+def test_a_number_rounded_to_a_whole_one_is_not_its_formula(tmp_path):
+    path = tmp_path / "fall.Rmd"
+    path.write_text(MARKDOWN.format(code="m <- sample(2:9, 1)", key="round(m/2)"), encoding="utf-8")
+    assert "to a whole one" in rexams_records(path)[0].unread
 
 
 @pytest.mark.parametrize(

@@ -101,8 +101,14 @@ SEVERAL = [
     ("LABELED_ANS('p', num_cmp($m*$v));\nLABELED_ANS('m', num_cmp($m));", {"fall#p": "m*v", "fall#m": "m"}),
     ("WEIGHTED_ANS(num_cmp($m), 40, num_cmp($v), 60);", {"fall#1": "m", "fall#2": "v"}),
     ("BEGIN_PGML\n[__]{$m} and [____]{Real($m*$v)}\nEND_PGML", {"fall#1": "m", "fall#2": "m*v"}),
-    ("ANS(str_cmp('up')); ANS(num_cmp($m)); ANS(num_cmp(int($v)));", {"fall#1": "", "fall#2": "m", "fall#3": ""}),
-    ("$p = NumberWithUnits($m*$v, 'N s');\nANS($p->cmp); ANS(num_cmp($v));", {"fall#1": "m*v", "fall#2": "v"}),
+    (
+        "ANS(str_cmp('up')); ANS(num_cmp($m)); ANS(num_cmp(int($v)));",
+        {"fall#1": "", "fall#2": "m", "fall#3": ""},
+    ),
+    (
+        "$p = NumberWithUnits($m*$v, 'N s');\nANS($p->cmp); ANS(num_cmp($v));",
+        {"fall#1": "m*v", "fall#2": "v"},
+    ),
 ]
 
 
@@ -119,7 +125,10 @@ def test_each_answer_is_a_record(tmp_path, same, text, expected):
 def test_the_answers_of_a_file_are_joined_with_laws_by_place_or_in_their_order(tmp_path):
     path = file_of(tmp_path, MV + "ANS(num_cmp($m*$v)); ANS(num_cmp($m*$v**2));")
     for stated, findings in [
-        ("- {id: fall, given: {m: kg, v: m/s}, laws: [p = m*v, E = m*v^2/2], asked: [p, E]}", ["agrees", "wrong"]),
+        (
+            "- {id: fall, given: {m: kg, v: m/s}, laws: [p = m*v, E = m*v^2/2], asked: [p, E]}",
+            ["agrees", "wrong"],
+        ),
         ("- {id: fall#2, given: {m: kg, v: m/s}, laws: [E = m*v^2], asked: E}", ["cannot say", "agrees"]),
         ("- {id: fall, given: {m: kg, v: m/s}, laws: [p = m*v], asked: p}", ["cannot say", "cannot say"]),
     ]:

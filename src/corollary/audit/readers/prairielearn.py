@@ -14,11 +14,10 @@ from pathlib import Path
 from corollary.audit.readers.generate_body import GenerateBody
 from corollary.audit.readers.python_names import DRAWN, PythonNames, names_of
 from corollary.audit.readers.safe_xml import words_of
-from corollary.audit.readers.straight_line import NotRead, StraightLine
+from corollary.audit.readers.straight_line import NotRead, StraightLine, known_unit
 from corollary.audit.record import ExerciseRecord
 from corollary.audit.text_file import text_of
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.units.unit import unit as unit_named
 
 INPUTS = {"pl-number-input", "pl-units-input", "pl-symbolic-input"}
 ARITHMETIC = (
@@ -89,15 +88,6 @@ def _read(bare: ExerciseRecord, inputs: list[dict[str, str]], server: Path) -> E
         worked_out=key.worked_out,
         key_unit=unit if known_unit(unit) else "",
     )
-
-
-def known_unit(suffix: str) -> bool:
-    """Whether what stands behind an input is a unit, and no other words."""
-    try:
-        unit_named(suffix)
-    except ValueError:
-        return False
-    return bool(suffix)
 
 
 def _right_option(element: Mapping[str, str]) -> str:

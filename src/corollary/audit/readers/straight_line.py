@@ -16,9 +16,10 @@ from corollary.formula.exact import constant
 from corollary.formula.syntax import author_formula
 from corollary.formula.text import text as written
 from corollary.units.unit import PURE
+from corollary.units.unit import unit as unit_named
 
 LONGEST = 2000  # characters of an expression: a key is shorter
-MOST_STATEMENTS = 3000
+MOST_STATEMENTS, MOST_ANSWERS = 3000, 100  # of one program
 MOST_NODES, DEEPEST = (
     2000,
     100,
@@ -29,6 +30,7 @@ NAMED_OTHERWISE = {
 IN_DEGREES = {"deg2rad", "radians"}
 TO_DEGREES = {"rad2deg", "degrees"}
 CALL = re.compile(r"\b([A-Za-z_]\w*)\s*\(")
+DRAWS = re.compile(r"(?:sample|runif)\s*\(")
 LETTER = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
 DECIMAL = re.compile(r"-?(?:0|[1-9]\d{0,15})(?:\.\d{1,20})?")  # which needs no formula to be read
 LONGEST_SENTENCE = 300  # characters
@@ -159,6 +161,15 @@ def in_figures(number: Fraction) -> str:
         raise NotRead("the answer is too large a number") from None
 
 
+def known_unit(words: str) -> bool:
+    """Whether what stands behind an answer is a unit, and no other words."""
+    try:
+        unit_named(words)
+    except ValueError:
+        return False
+    return bool(words)
+
+
 def _number(text: str) -> Fraction | None:
     return Fraction(text) if DECIMAL.fullmatch(text) else constant(formula_from(text))
 
@@ -238,6 +249,8 @@ def unrounded(expression: str, rounds: Collection[str]) -> str:
     inside, end = arguments_at(expression, found.end())
     if not inside or expression[end:].strip():
         return expression
+    if found[1] == "round" and len(inside) == 1 and DRAWS.match(inside[0]) is None:
+        raise NotRead("a number that is worked out is rounded to a whole one")
     if any(each.rpartition("=")[2].strip().startswith("-") for each in inside[1:]):
         raise NotRead(f"{expression!r} rounds before the decimal point")
     return inside[0]

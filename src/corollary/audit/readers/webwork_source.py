@@ -7,7 +7,7 @@ from bisect import bisect_left
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from corollary.audit.readers.straight_line import NotRead, arguments_at
+from corollary.audit.readers.straight_line import MOST_ANSWERS, NotRead, arguments_at
 
 BLOCK_MARK = re.compile(r"(BEGIN|END)_(\w+)")
 HEREDOC = re.compile(r"<<\s*([\"']?)([A-Za-z_]\w*)\1")
@@ -23,7 +23,6 @@ END = "ENDDOCUMENT"
 ANSWERED = re.compile(r"\b((?:(?:LABELED|NAMED|WEIGHTED|NAMED_WEIGHTED)_)?ANS)\s*\(")
 SEVERAL = re.compile(r"@|\w_list\s*\(|\[")
 TOGETHER = re.compile(r"\b(?:Radio)?MultiAnswer\s*\(")
-MOST_ANSWERS = 100
 
 
 @dataclass(frozen=True, slots=True)
