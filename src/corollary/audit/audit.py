@@ -14,6 +14,7 @@ from corollary.audit.derived_formula import derived_formula
 from corollary.audit.examine import cannot_say, examine
 from corollary.audit.mistaken import mistake_in
 from corollary.audit.outcome import AuditedAnswer
+from corollary.audit.readers.straight_line import shortened
 from corollary.audit.record import ExerciseRecord
 from corollary.parallel import cores
 from corollary.problem.bank import Bank
@@ -55,14 +56,16 @@ def _audited(
 ) -> tuple[AuditedAnswer, ...]:
     if record.unread:
         return cannot_say(record, record.unread)
-    if record.problem:
-        return examine_by_problem(record, bank)
     try:
+        if record.problem:
+            return examine_by_problem(record, bank)
         found = interpreter.call(partial(examine, record), SECONDS)
     except NotFinished:
         return cannot_say(
             record, f"it was not solved within {SECONDS:.0f} s of the processor; state simpler laws"
         )
+    except Exception as error:  # whatever somebody wrote into a record costs this one alone
+        return cannot_say(record, shortened(f"it could not be examined ({type(error).__name__}: {error})"))
     found = tuple(_with_mistake(each, interpreter) for each in found)
     return tuple(_with_formula(each, interpreter) for each in found) if formulas else found
 

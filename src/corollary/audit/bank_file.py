@@ -7,13 +7,11 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
-from corollary.audit.drawn_record import drawn_records
 from corollary.audit.readers.moodle import moodle_records
-from corollary.audit.readers.prairielearn import prairielearn_records
+from corollary.audit.readers.prairielearn import folder_name, prairielearn_records
 from corollary.audit.readers.qti import qti_records
 from corollary.audit.readers.rexams import rexams_records
 from corollary.audit.readers.safe_xml import xml_of
-from corollary.audit.readers.server_draw import ServerRuns
 from corollary.audit.readers.straight_line import MOST_ANSWERS
 from corollary.audit.readers.webwork import webwork_records
 from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven
@@ -42,15 +40,12 @@ READERS: Mapping[str, Callable[[Path], tuple[ExerciseRecord, ...]]] = {
 """By the ending of a file's name, what reads a bank of that kind."""
 
 
-def records_of(
-    path: Path, laws: Mapping[str, ExerciseRecord], servers: ServerRuns | None = None
-) -> tuple[ExerciseRecord, ...]:
+def records_of(path: Path, laws: Mapping[str, ExerciseRecord]) -> tuple[ExerciseRecord, ...]:
     """The records of a file, or of the folder of a PrairieLearn question; `laws` are those of exercises by their id.
 
-    With `servers` the programs of such questions are run, too. Raises Malformed; with `servers` WeakIsolation and CannotStart.
+    Raises Malformed.
     """
-    if (path / "question.html").is_file():
-        path /= "question.html"
+    path = in_question_html(path)
     ending = path.suffix.lower()
     if ending in RECORDS:
         return tuple(
@@ -59,12 +54,29 @@ def records_of(
     if ending not in READERS:
         known = ", ".join(sorted({*RECORDS, *READERS}))
         raise Malformed([Diagnostic(path, 1, f"is of no kind that is read here ({known})")])
-    read = joined_each(READERS[ending](path), laws)
-    if servers is None or ending != ".html":
-        return read
-    return tuple(
-        each for one in read for each in drawn_records(one, laws.get(path.resolve().parent.name), servers)
-    )
+    return joined_each(READERS[ending](path), laws)
+
+
+def in_question_html(path: Path) -> Path:
+    """The page of a PrairieLearn question where its folder is named."""
+    try:
+        return path / "question.html" if (path / "question.html").is_file() else path
+    except OSError:  # of a name that is too long, a folder that nobody may enter
+        return path
+
+
+def laws_of(path: Path, laws: Mapping[str, ExerciseRecord]) -> Mapping[str, ExerciseRecord]:
+    """Those that a file can need, where its name says which exercise it is."""
+    page = in_question_html(path)
+    ending = page.suffix.lower()
+    if ending in RECORDS or ending == ".xml":
+        return laws
+    name = folder_name(page) if ending == ".html" else page.stem
+    return {
+        each: stated
+        for each, stated in laws.items()
+        if each == name or each.startswith(f"{name}{OF_SEVERAL}")
+    }
 
 
 def laws_by_id(path: Path | None) -> dict[str, ExerciseRecord]:

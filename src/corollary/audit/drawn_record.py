@@ -9,7 +9,6 @@ from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 
-from corollary.audit.readers.prairielearn import inputs_of
 from corollary.audit.readers.server_draw import ServerDraw, ServerRuns
 from corollary.audit.readers.straight_line import NotRead, known_unit
 from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven
@@ -22,32 +21,36 @@ from corollary.units.unit import PURE
 MOST_FIGURES = 9  # of a number worked out in doubles
 NOISE = 12  # figures from which on a double is what the arithmetic left, not what somebody rounded to
 LARGEST = Fraction(10) ** 300
-NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,2})?"
+NUMBER = r"[-+]?(?:\d{1,100}(?:\.\d{0,100})?|\.\d{1,100})(?:[eE][-+]?\d{1,2})?"
 WRITTEN = re.compile(rf"\s*({NUMBER})\s*")
 WITH_UNIT = re.compile(rf"\s*({NUMBER})\s*([A-Za-z%/^*0-9 ()-]{{0,40}})")
 
 
 def drawn_records(
-    read: ExerciseRecord, stated: ExerciseRecord | None, servers: ServerRuns
+    read: Sequence[ExerciseRecord],
+    inputs: Sequence[Mapping[str, str]],
+    laws: Mapping[str, ExerciseRecord],
+    servers: ServerRuns,
 ) -> tuple[ExerciseRecord, ...]:
-    """What was read of a question, and behind it one record for each seed; these alone where it could not be read.
+    """What was read of a question, and behind it one record for each seed; these alone of what could not be read.
 
-    Nothing is run where no laws are stated, or the answer stands in `question.html`. One record says why where no seed
-    gives numbers. Raises Malformed, WeakIsolation and CannotStart.
+    `laws` are those of this question, whole or answer by answer. Nothing is run where there are none, or the answer stands in
+    `question.html`. One record says why where no seed gives numbers. Raises Malformed, WeakIsolation and CannotStart.
     """
-    server = read.path.parent / "server.py"
-    if stated is None or not server.is_file():
-        return (read,)
-    inputs = {each.get("answers-name", ""): each for each in inputs_of(read.path)}
-    if any("correct-answer" in each for each in inputs.values()):
-        return (read,)
-    answers = _answers_names(stated.asked, inputs)
-    draws = servers.draws(server, _letters(stated), list(answers.values()))
-    figures = {name: _figures([each.answers.get(name) for each in draws]) for name in answers.values()}
-    records = [_at(read, stated, draw, answers, inputs, figures) for draw in draws]
-    if all(each.unread for each in records):
-        records = records[:1]
-    return tuple(records) if read.unread else (read, *records)
+    server = read[0].path.parent / "server.py"
+    if not laws or not server.is_file() or any("correct-answer" in each for each in inputs):
+        return tuple(read)
+    by_name = {each.get("answers-name", ""): each for each in inputs}
+    whole = read[0].id.partition("#")[0]
+    records: list[ExerciseRecord] = []
+    for stated in [laws[whole]] if whole in laws else laws.values():
+        answers = _answers_names(stated.asked, by_name)
+        draws = servers.draws(server, _letters(stated), list(answers.values()))
+        figures = {name: _figures([each.answers.get(name) for each in draws]) for name in answers.values()}
+        bare = replace(read[0], id=stated.id)
+        drawn = [_at(bare, stated, draw, answers, by_name, figures) for draw in draws]
+        records += drawn[:1] if all(each.unread for each in drawn) else drawn
+    return (*(each for each in read if not each.unread), *records)
 
 
 def _letters(stated: ExerciseRecord) -> list[str]:

@@ -12,6 +12,8 @@ from corollary.formula.syntax import author_formula
 from corollary.problem.variant import with_unit
 from corollary.units.unit import Unit
 
+MOST_RECORDS = 20_000  # of one file
+
 
 @dataclass(frozen=True, slots=True)
 class StatedGiven:

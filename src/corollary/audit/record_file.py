@@ -9,14 +9,13 @@ from typing import TypeVar
 
 from corollary.audit.csv_rows import rows_in
 from corollary.audit.reading import asked_from, assumed_from, given_from
-from corollary.audit.record import AssumedValue, ExerciseRecord, LawText, StatedGiven, WrongLaw
+from corollary.audit.record import MOST_RECORDS, AssumedValue, ExerciseRecord, LawText, StatedGiven, WrongLaw
 from corollary.audit.text_file import text_of
 from corollary.formula.syntax import author_formula
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import ListNode, Node, Reader, TableNode, TextNode, document
 from corollary.units.constants import CONSTANTS
 
-MOST_RECORDS = 20_000
 OF_A_FILE = ("source", "address", "licence")
 NO_RECORD = "is no record; write `id: …` and what belongs to it"
 T = TypeVar("T")

@@ -7,12 +7,13 @@ from pathlib import Path
 from typing import Any
 
 from corollary.audit.audit import audit_each
-from corollary.audit.bank_file import laws_by_id, records_of
+from corollary.audit.limited_reading import LimitedReader
 from corollary.audit.outcome import FAULTS, FINDINGS, AuditedAnswer
 from corollary.audit.readers.server_draw import ServerRuns
 from corollary.cli.console import console
-from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse
+from corollary.cli.ending import FAILS, HOLDS, REFUSED, answer, counted, refuse, say
 from corollary.cli.progress import bar
+from corollary.messages import visible
 from corollary.problem.bank import open_bank
 
 COLOURS = {
@@ -33,13 +34,12 @@ def run(
     require: int,
     as_json: bool,
 ) -> int:
-    stated = laws_by_id(laws)
-    with ServerRuns(seeds, require) as servers:
-        records = [
-            record
-            for name in files
-            for record in records_of(Path(name), stated, servers if running else None)
-        ]
+    with (
+        ServerRuns(seeds, require) as servers,
+        LimitedReader(laws, servers if running else None) as reader,
+    ):
+        read = [reader.read(Path(name)) for name in files]
+    records = [record for each in read for record in each.records]
     if not records:
         refuse(f"{', '.join(files)}: there are no records in it; `docs/audit.md` shows how they are written")
     found: list[AuditedAnswer] = []
@@ -60,7 +60,13 @@ def run(
         _show(found)
         if report is not None:
             print(f"{report} is written")
-    return FAILS if any(each.finding in FAULTS for each in found) else HOLDS
+    for each in read:
+        if each.trouble:
+            say(f"corollary: {each.trouble}")
+    if any(each.finding in FAULTS for each in found):
+        return FAILS
+    nothing_read = all(each.trouble for each in read)
+    return REFUSED if nothing_read or any(each.no_such_file for each in read) else HOLDS
 
 
 def _show(found: list[AuditedAnswer]) -> None:
@@ -73,7 +79,9 @@ def _show(found: list[AuditedAnswer]) -> None:
     for each in found:
         colour = COLOURS.get(each.finding, "red")
         cells: list[Any] = [each.record.id, each.asked, each.published, each.derived]
-        table.add_row(*map(Text, cells), Text(each.finding, colour), Text(each.sentence))
+        table.add_row(
+            *map(Text, map(visible, cells)), Text(each.finding, colour), Text(visible(each.sentence))
+        )
     out = console()
     out.print(table)
     counts = Counter(each.finding for each in found)

@@ -40,17 +40,17 @@ class Limited:
         if sys.platform != "win32":
             os.register_at_fork(after_in_child=self._forked)
 
-    def call(self, function: Callable[[], T], seconds: float) -> T:
+    def call(self, function: Callable[[], T], seconds: float, waiting: float | None = None) -> T:
         """What the function returns. It and its result are pickled. Raises NotFinished, and what the function raises.
 
-        `seconds` are those of the processor; as many times ten may pass.
+        `seconds` are those of the processor; `waiting` may pass, or ten times as many.
         """
         with self._lock:
             try:
                 process = self._started()
                 assert process.stdin is not None
                 assert process.stdout is not None
-                timer = threading.Timer(WAITING * seconds, process.kill)
+                timer = threading.Timer(waiting or WAITING * seconds, process.kill)
                 timer.start()
                 try:
                     _write(process.stdin, pickle.dumps((seconds, function)))

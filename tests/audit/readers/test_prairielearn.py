@@ -78,6 +78,11 @@ READ += [
     ('<pl-multiple-choice answers-name="F"><pl-answer correct="true">4.5 N</pl-answer><pl-answer>9 N</pl-answer></pl-multiple-choice>', "", "4.5 N"),
     (PAGE, program(f"    x = {DRAWN}/100\n    {P}['who'] = random.choice(['Ada', 'Bob'])\n    {C}['F'] = 5*x\n"), "5*x"),
 ]  # fmt: skip
+PARAMS_DOUBLED = f"    {P}['a0'] = {DRAWN}\n"
+PARAMS_DOUBLED += "".join(f"    {P}['a{i + 1}'] = {P}['a{i}']*{P}['a{i}']\n" for i in range(40))
+PARAMS_DOUBLED += f"    {C}['F'] = {P}['a40']\n"
+HELPERS_DOUBLED = "def f0(x):\n    return x\n"
+HELPERS_DOUBLED += "".join(f"def f{i + 1}(x):\n    return f{i}(x) + f{i}(x)\n" for i in range(30))
 NOT_READ = [
     (PAGE, program(f"    m = 3\n    {P}['m'] = {DRAWN}\n    {C}['F'] = 2*{P}['m']\n"), "twice"),
     (PAGE, program(f"    {P}['m'] = random.choice(['a', 'b'])\n    m = 3\n    {C}['F'] = 2*{P}['m']\n"), "after it is shown"),
@@ -108,7 +113,11 @@ NOT_READ = [
     ('<pl-number-input answers-name="F" correct-answer="1">', program(M + f"    {C}['F'] = m\n"), "sets answers"),
     (PAGE, "def grade(data):\n    pass\n", "no function generate"),
     (PAGE, "", "no server.py"),
-    (PAGE + PAGE, program(M), "2 inputs"),
+    ("<p>How far?</p>", program(M), "no input"),
+    (PAGE, program(PARAMS_DOUBLED), "too long an expression"),
+    (PAGE, program(M + f"    {C}['F'] = f30(m)\n", "import random\n" + HELPERS_DOUBLED), ""),
+    (PAGE, program(M + f"    {C}['F'] = round(m/2)\n"), "to a whole number"),
+    (PAGE, program(f"    a0 = {DRAWN}\n" + "".join(f"    a{i + 1} = a{i} + a{i}\n" for i in range(60)) + f"    {C}['F'] = a60\n"), "too long a formula"),
     ('<pl-multiple-choice answers-name="F"></pl-multiple-choice>', "", "0 of its options"),
 ]  # fmt: skip
 
@@ -133,6 +142,25 @@ def test_what_is_not_read_is_said(tmp_path, page, code, why):
     (record,) = prairielearn_records(folder_of(tmp_path, page, code))
     assert record.unread
     assert why in record.unread
+
+
+TWO = PAGE.replace('"F"', '"p"', 1) + PAGE.replace('"F"', '"E"', 1)
+SEVERAL = [
+    (TWO, program(M + f"    {C}['p'] = 2*m\n    {C}['E'] = 2*m**2\n"), {"p": "2*m", "E": "2*m^2"}),
+    (TWO, program(M + f"    x = 2*m\n    {C}['p'] = x\n    x = 3*m\n    {C}['E'] = x\n    x = 1\n"), {"p": "2*m", "E": "3*m"}),
+    (TWO, program(M + f"    {C}['p'] = solve(m)\n    {C}['E'] = m\n"), {"p": "", "E": "m"}),
+    (TWO, program(M + f"    {C}['E'] = m\n"), {"p": "", "E": "m"}),
+    (TWO + '<pl-string-input answers-name="who"></pl-string-input>', program(M + f"    {C}.update(p=m, E=3*m, who='Ada')\n"), {"p": "m", "E": "3*m", "who": ""}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("page", "code", "expected"), SEVERAL)
+def test_each_answer_is_a_record_by_its_name(tmp_path, same, page, code, expected):
+    records = prairielearn_records(folder_of(tmp_path, page, code))
+    assert [each.id for each in records] == [f"{tmp_path.name}#{name}" for name in expected]
+    for record, key in zip(records, expected.values(), strict=True):
+        assert bool(record.unread) == (not key)
+        assert not key or same(*record.published, key)
 
 
 def test_nothing_of_it_is_run(tmp_path):

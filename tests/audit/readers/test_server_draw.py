@@ -11,8 +11,8 @@ from html import unescape
 import pytest
 from click.testing import CliRunner
 
-from corollary.audit.bank_file import laws_by_id, records_of
 from corollary.audit.examine import examine
+from corollary.audit.limited_reading import LimitedReader
 from corollary.audit.readers.server_draw import ServerRuns
 from corollary.cli.commands import app
 
@@ -87,7 +87,8 @@ def run(tmp_path, servers):
         (folder / "server.py").write_text(f"{head}def generate(data):\n{body}", encoding="utf-8")
         laws = tmp_path / "laws.yaml"
         laws.write_text(LAWS, encoding="utf-8")
-        return records_of(folder, laws_by_id(laws), servers)
+        with LimitedReader(laws, servers) as reader:
+            return reader.read(folder).records
 
     return records
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from corollary.audit.readers.python_names import DRAWN, PythonNames
-from corollary.audit.readers.straight_line import NotRead
+from corollary.audit.readers.straight_line import MOST_NODES, NotRead
 
 Where = Literal["letter", "shown", "answer"]
 TABLES = ("params", "correct_answers")
@@ -27,13 +27,14 @@ class GenerateSetting:
 @dataclass(slots=True)
 class GenerateBody:
     """`data` is the parameter of `generate`; `tables` are names that stand for its `params` or `correct_answers`, and `params` is what
-    was put there, `texts` what of it is a text."""
+    was put there, `texts` what of it is a text, `shown` the letters in it."""
 
     data: str
     names: PythonNames
     tables: dict[str, str] = field(default_factory=dict[str, str])
     params: dict[str, ast.expr] = field(default_factory=dict[str, ast.expr])
     texts: set[str] = field(default_factory=set[str])
+    shown: set[str] = field(default_factory=set[str])
 
     def settings(self, statements: Sequence[ast.stmt]) -> Iterator[GenerateSetting]:
         """In their order, up to a return. Raises NotRead for whatever is no plain assignment."""
@@ -74,7 +75,7 @@ class GenerateBody:
                 if isinstance(value, ast.Name) and value.id == name:
                     return
                 self.names.refuse_hidden(name)
-                if name in self.tables or any(name in _letters(each) for each in self.params.values()):
+                if name in self.tables or name in self.shown:
                     raise NotRead(f"line {value.lineno} of server.py changes {name} after it is shown")
                 yield GenerateSetting("letter", name, value)
             case ast.Subscript(inner, ast.Constant(str(name))), _ if table := self._table(inner):
@@ -100,6 +101,7 @@ class GenerateBody:
         if self.names.function(value) in DRAWN:
             yield GenerateSetting("shown", name, value)
             self.params[name] = ast.copy_location(ast.Name(name, ast.Load()), value)
+        self.shown |= _letters(self.params[name])
 
     def _table(self, node: ast.expr) -> str:
         """Which table of `data` an expression is; "" for none."""
@@ -128,7 +130,10 @@ class GenerateBody:
                     case _:
                         return node
 
-        return LookUp().visit(deepcopy(value))
+        found: ast.expr = LookUp().visit(deepcopy(value))
+        if sum(1 for _ in ast.walk(found)) > MOST_NODES:
+            raise NotRead(f"line {value.lineno} of server.py is too long an expression with params put in")
+        return found
 
 
 def _letters(value: ast.expr) -> set[str]:

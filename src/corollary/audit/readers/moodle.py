@@ -9,7 +9,7 @@ from xml.etree.ElementTree import Element
 
 from corollary.audit.readers.safe_xml import words_of, xml_of
 from corollary.audit.readers.straight_line import NotRead, StraightLine, unrounded
-from corollary.audit.record import ExerciseRecord
+from corollary.audit.record import MOST_RECORDS, ExerciseRecord
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 WILDCARD = re.compile(r"\{([A-Za-z]\w*)\}")
@@ -24,6 +24,8 @@ def moodle_records(path: Path) -> tuple[ExerciseRecord, ...]:
             [Diagnostic(path, 1, f"is no export of a Moodle question bank: its root is <{root.tag}>")]
         )
     questions = [each for each in root.findall("question") if each.get("type") not in NOT_QUESTIONS]
+    if len(questions) > MOST_RECORDS:
+        raise Malformed([Diagnostic(path, 1, f"has more than {MOST_RECORDS} questions; divide it")])
     return tuple(_record(path, each, place) for place, each in enumerate(questions, 1))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import os
 import re
 import warnings
 from collections.abc import Mapping
@@ -14,12 +15,20 @@ from pathlib import Path
 from corollary.audit.readers.generate_body import GenerateBody
 from corollary.audit.readers.python_names import DRAWN, PythonNames, names_of
 from corollary.audit.readers.safe_xml import words_of
-from corollary.audit.readers.straight_line import NotRead, StraightLine, known_unit
+from corollary.audit.readers.straight_line import (
+    MOST_ANSWERS,
+    MOST_STATEMENTS,
+    NotRead,
+    PublishedFormula,
+    StraightLine,
+    known_unit,
+)
 from corollary.audit.record import ExerciseRecord
-from corollary.audit.text_file import text_of
+from corollary.audit.text_file import LARGEST_PROGRAM, text_of
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 INPUTS = {"pl-number-input", "pl-units-input", "pl-symbolic-input"}
+HOLE = re.compile(r"\{\{[^{}]*\}\}")
 ARITHMETIC = (
     ast.Constant, ast.Name, ast.Attribute, ast.Call, ast.BinOp, ast.UnaryOp, ast.Load,
     ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Pow, ast.USub, ast.UAdd,
@@ -33,13 +42,19 @@ class InputElements(HTMLParser):
     def __init__(self) -> None:
         super().__init__()
         self.found: list[dict[str, str]] = []
+        self.right: list[
+            list[str]
+        ] = []  # of each element the pieces of the text of each option that is right
         self.in_right_option = False
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         if tag.startswith("pl-") and tag.endswith(("-input", "-choice", "-checkbox")):
-            self.found.append({"tag": tag, "right": "", **{name: value or "" for name, value in attrs}})
+            if len(self.found) >= MOST_ANSWERS:
+                raise NotRead(f"it has more than {MOST_ANSWERS} inputs")
+            self.found.append({"tag": tag, **{name: value or "" for name, value in attrs}})
+            self.right.append([])
         elif tag == "pl-answer" and self.found and (dict(attrs).get("correct") or "").lower() == "true":
-            self.found[-1]["right"] += "\n" * bool(self.found[-1]["right"])
+            self.right[-1].append("\n")
             self.in_right_option = True
 
     def handle_endtag(self, tag: str) -> None:
@@ -48,39 +63,95 @@ class InputElements(HTMLParser):
 
     def handle_data(self, data: str) -> None:
         if self.in_right_option:
-            self.found[-1]["right"] += " ".join(data.split())
+            self.right[-1].append(" ".join(data.split()))
+
+    @property
+    def inputs(self) -> list[dict[str, str]]:
+        """Their attributes, `tag` and, a line each, the options that are `right`."""
+        pairs = zip(self.found, self.right, strict=True)
+        return [{**element, "right": "".join(right).lstrip("\n")} for element, right in pairs]
 
 
 def prairielearn_records(path: Path) -> tuple[ExerciseRecord, ...]:
-    """The exercise of a folder, from its `question.html`; `server.py` beside it is read, too. Raises Malformed."""
+    """The answers of the exercise of a folder, each a record: `fall` where it is the only one, else `fall#v`, by its name.
+
+    Read from `question.html`, and `server.py` beside it. Raises Malformed.
+    """
     if path.name != "question.html":
         raise Malformed([Diagnostic(path, 1, "is read when it is the question.html of an exercise's folder")])
-    name, source = path.resolve().parent.name, text_of(path)
-    bare = ExerciseRecord(name, path, 1, statement=words_of(re.sub(r"\{\{.*?\}\}", "…", source)))
+    name, source = folder_name(path), text_of(path, LARGEST_PROGRAM)
+    bare = ExerciseRecord(name, path, 1, statement=words_of(HOLE.sub("…", source)))
     try:
-        return (_read(bare, _inputs_in(source), path.parent / "server.py"),)
+        inputs = _inputs_in(source)
+        if not inputs:
+            raise NotRead("it has no input")
     except NotRead as error:
         return (replace(bare, unread=str(error)),)
+    server = PrairieLearnServer(path.parent / "server.py")
+    if len(inputs) == 1:
+        return (_record(bare, inputs[0], server),)
+    names = [each.get("answers-name", "") for each in inputs]
+    if "" in names or len(set(names)) < len(names):
+        names = [str(place) for place in range(1, len(inputs) + 1)]
+    return tuple(
+        _record(replace(bare, id=f"{name}#{one}"), element, server)
+        for one, element in zip(names, inputs, strict=True)
+    )
 
 
-def _read(bare: ExerciseRecord, inputs: list[dict[str, str]], server: Path) -> ExerciseRecord:
-    if len(inputs) != 1:
-        raise NotRead(f"it has {len(inputs)} inputs, and one is read")
-    (element,) = inputs
+def folder_name(path: Path) -> str:
+    """The name of the folder of a question, wherever its path leads."""
+    return os.path.basename(os.path.dirname(os.path.realpath(path)))
+
+
+class PrairieLearnServer:
+    """The `server.py` of a question, read once, and only where an answer needs it."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._read: (
+            tuple[StraightLine, dict[str, PublishedFormula | NotRead], frozenset[str]] | NotRead | None
+        ) = None
+
+    def key(self, name: str) -> PublishedFormula:
+        """What is assigned to the correct answer of this name. Raises NotRead, and Malformed where the file is no Python."""
+        if self._read is None:
+            try:
+                self._read = _program(self.path)
+            except NotRead as error:
+                self._read = error
+        if isinstance(self._read, NotRead):
+            raise self._read
+        program, keys, shown = self._read
+        found = keys.get(name, NotRead(f"server.py assigns no correct answer {name!r}"))
+        if isinstance(found, NotRead):
+            raise found
+        return PublishedFormula(found.text, tuple(program.drawn.values()), shown | program.formulas.keys())
+
+    @property
+    def answers(self) -> bool:
+        """Whether it sets correct answers, for all that can be seen."""
+        return self.path.is_file() and "correct_answers" in text_of(self.path, LARGEST_PROGRAM)
+
+
+def _record(bare: ExerciseRecord, element: Mapping[str, str], server: PrairieLearnServer) -> ExerciseRecord:
+    try:
+        return _read(bare, element, server)
+    except NotRead as error:
+        return replace(bare, unread=str(error))
+
+
+def _read(bare: ExerciseRecord, element: Mapping[str, str], server: PrairieLearnServer) -> ExerciseRecord:
     unit = element.get("suffix", "").replace("$", "").strip()
     if element["tag"] == "pl-multiple-choice":
         return replace(bare, published=(_right_option(element),))
     if element["tag"] not in INPUTS:
         raise NotRead(f"{element['tag']} is not read")
     if "correct-answer" in element:
-        if server.is_file() and "correct_answers" in text_of(server):
+        if server.answers:
             raise NotRead("its answer stands in question.html, and server.py sets answers, too")
         return replace(bare, published=(f"{element['correct-answer']} {unit}".strip(),))
-    program, keys = _program(server)
-    answers_name = element.get("answers-name", "")
-    if answers_name not in keys:
-        raise NotRead(f"server.py assigns no correct answer {answers_name!r}")
-    key = program.key(keys[answers_name])
+    key = server.key(element.get("answers-name", ""))
     return replace(
         bare,
         given=key.drawn,
@@ -101,33 +172,40 @@ def _right_option(element: Mapping[str, str]) -> str:
 
 
 def inputs_of(path: Path) -> list[dict[str, str]]:
-    """The attributes of each input of a `question.html`, its tag among them. Raises Malformed."""
-    return _inputs_in(text_of(path))
+    """The attributes of each input of a `question.html`, its tag among them. Raises Malformed and NotRead."""
+    return _inputs_in(text_of(path, LARGEST_PROGRAM))
 
 
 def _inputs_in(source: str) -> list[dict[str, str]]:
     elements = InputElements()
     elements.feed(source)
     elements.close()
-    return elements.found
+    return elements.inputs
 
 
-def _program(path: Path) -> tuple[StraightLine, dict[str, str]]:
-    """What `generate` draws and assigns, and the correct answers by name. Raises NotRead, and Malformed where it is no Python."""
+def _program(path: Path) -> tuple[StraightLine, dict[str, PublishedFormula | NotRead], frozenset[str]]:
+    """What `generate` draws and assigns, the correct answers by name, each as it is where it is assigned, and what else is shown.
+
+    Raises NotRead, and Malformed where it is no Python.
+    """
     if not path.is_file():
         raise NotRead("there is no server.py beside it, and no correct-answer in it")
+    source = text_of(path, LARGEST_PROGRAM)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of somebody else's style
-            tree = ast.parse(text_of(path))
-    except (SyntaxError, ValueError, RecursionError) as error:
+            tree = ast.parse(source)
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        why = str(error) or "it is nested too deeply"
         raise Malformed(
-            [Diagnostic(path, getattr(error, "lineno", 1) or 1, f"is no Python: {error}")]
+            [Diagnostic(path, getattr(error, "lineno", 1) or 1, f"is no Python: {why}")]
         ) from None
     names, generate = names_of(tree)
     if len(generate.args.args) != 1:
         raise NotRead("generate of server.py takes something else than data")
-    program, keys = StraightLine(), dict[str, str]()
+    if len(generate.body) > MOST_STATEMENTS:
+        raise NotRead(f"generate of server.py has more than {MOST_STATEMENTS} statements")
+    program, keys = StraightLine(), dict[str, PublishedFormula | NotRead]()
     body = GenerateBody(generate.args.args[0].arg, names)
     constants = [
         ast.copy_location(ast.Assign([ast.Name(name, ast.Store())], value), value)
@@ -135,7 +213,7 @@ def _program(path: Path) -> tuple[StraightLine, dict[str, str]]:
     ]
     for each in body.settings([*constants, *generate.body]):
         if each.where == "answer":
-            keys[each.name] = _arithmetic(names, names.unrounded(each.value))
+            keys[each.name] = _key(program, names, each.value)
             continue
         if each.where == "shown" and each.name in program.formulas:
             raise NotRead(f"{each.name} is given a value twice")  # a key could mean either
@@ -145,7 +223,15 @@ def _program(path: Path) -> tuple[StraightLine, dict[str, str]]:
     for name, printed in body.params.items():
         if name in program.drawn and not (isinstance(printed, ast.Name) and printed.id == name):
             raise NotRead(f"params[{name!r}] is another number than {name}")
-    return program, keys
+    return program, keys, frozenset(body.params.keys() - program.drawn.keys())
+
+
+def _key(program: StraightLine, names: PythonNames, value: ast.expr) -> PublishedFormula | NotRead:
+    """An answer with its letters as they are where it is assigned, or why it is not made out."""
+    try:
+        return program.key(_arithmetic(names, names.unrounded(value)))
+    except NotRead as error:
+        return error
 
 
 def _assign(program: StraightLine, names: PythonNames, letter: str, value: ast.expr) -> None:

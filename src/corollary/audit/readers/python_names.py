@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from copy import deepcopy
 from dataclasses import dataclass, field
 
-from corollary.audit.readers.straight_line import NotRead
+from corollary.audit.readers.straight_line import MOST_NODES, NotRead
 
 OF_FORMULAS = {
     "sin": "sin", "cos": "cos", "tan": "tan", "asin": "asin", "acos": "acos", "atan": "atan", "atan2": "atan2",
@@ -30,6 +30,9 @@ BUILT_IN = {"abs", "pow", "float", "round", "str", "int"}
 ROUNDS = {"round", "float", "str"}
 RUN_BEHIND = {"prepare"}  # by PrairieLearn, behind `generate`
 DEEPEST = 20  # calls of helpers within helpers
+MOST_PUT_IN = (
+    10 * MOST_NODES
+)  # nodes of helpers written out: each of two calls of one that calls another twice is four
 
 
 @dataclass(slots=True)
@@ -73,6 +76,10 @@ class PythonNames:
     def unrounded(self, value: ast.expr) -> ast.expr:
         """What is rounded for the page, before it is: the formula is compared, not its figures. Raises NotRead."""
         match value:
+            case ast.Call(_, [inside], []) if (
+                self.function(value) == "round" and self.function(inside) not in DRAWN
+            ):
+                raise NotRead(f"line {value.lineno} of server.py rounds to a whole number")
             case ast.Call(_, [inside, *places]) if self.function(value) in ROUNDS:
                 if any(isinstance(each, ast.UnaryOp) for each in (*places, *_values(value))):
                     raise NotRead(f"line {value.lineno} of server.py rounds before the decimal point")
@@ -85,7 +92,7 @@ class PythonNames:
 
 class _InFormulaNames(ast.NodeTransformer):
     def __init__(self, names: PythonNames, depth: int = 0) -> None:
-        self.names, self.depth = names, depth
+        self.names, self.depth, self.put_in = names, depth, 0
 
     def visit_Call(self, node: ast.Call) -> ast.expr:
         where = f"line {node.lineno} of server.py"
@@ -97,7 +104,14 @@ class _InFormulaNames(ast.NodeTransformer):
                 if len(parameters) != len(node.args):
                     raise NotRead(f"{where} calls {name} in a way that is not read")
                 put_in = _PutIn(self.names, dict(zip(parameters, node.args, strict=True)))
-                return _InFormulaNames(self.names, self.depth + 1).visit(put_in.visit(deepcopy(body)))
+                written: ast.expr = put_in.visit(deepcopy(body))
+                self.put_in += sum(1 for _ in ast.walk(written))
+                if self.put_in > MOST_PUT_IN:
+                    raise NotRead(f"{where} is too long an expression with {name} written out")
+                self.depth += 1
+                found: ast.expr = self.visit(written)
+                self.depth -= 1
+                return found
             case _ if function := self.names.function(node):
                 inside = [self.visit(each) for each in node.args]
                 return ast.copy_location(ast.Call(ast.Name(function, ast.Load()), inside, []), node)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 from xml.etree.ElementTree import Element, tostring
 
 from corollary.audit.readers.safe_xml import local, words_of, xml_of
 from corollary.audit.readers.straight_line import NotRead, PublishedFormula, StraightLine
-from corollary.audit.record import ExerciseRecord
+from corollary.audit.record import MOST_RECORDS, ExerciseRecord
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 OPERATORS = {"sum": "+", "subtract": "-", "product": "*", "divide": "/", "power": "^"}
@@ -18,10 +19,21 @@ MATHEMATICAL = {"sin", "cos", "tan", "asin", "acos", "atan", "exp", "ln"}
 def qti_records(path: Path) -> tuple[ExerciseRecord, ...]:
     """The items of a file. Raises Malformed."""
     root = xml_of(path)
-    items = [each for each in root.iter() if local(each) == "assessmentItem"]
+    items = list(_items(root))
     if not items:
         raise Malformed([Diagnostic(path, 1, f"holds no assessmentItem of QTI; its root is <{local(root)}>")])
+    if len(items) > MOST_RECORDS:
+        raise Malformed([Diagnostic(path, 1, f"has more than {MOST_RECORDS} items; divide it")])
     return tuple(_record(path, each) for each in items)
+
+
+def _items(element: Element) -> Iterator[Element]:
+    """Those that stand in no other one."""
+    if local(element) == "assessmentItem":
+        yield element
+        return
+    for each in element:
+        yield from _items(each)
 
 
 def _record(path: Path, item: Element) -> ExerciseRecord:

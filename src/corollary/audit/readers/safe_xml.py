@@ -1,44 +1,65 @@
-"""XML of somebody else's, read without entities, without the network, and within limits."""
+"""XML of somebody else's, read without document types, entities and the network, and within limits."""
 
 from __future__ import annotations
 
-import io
 import re
 from html import unescape
 from pathlib import Path
-from xml.etree.ElementTree import Element, ParseError, iterparse
+from typing import final
+from xml.etree.ElementTree import Element, ParseError, TreeBuilder
+
+from defusedxml.common import DTDForbidden, EntitiesForbidden, ExternalReferenceForbidden
+from defusedxml.ElementTree import DefusedXMLParser
 
 from corollary.audit.text_file import text_of
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
-DEEPEST, MOST_ELEMENTS = 100, 2_000_000
-DECLARED = re.compile(r"<!(?:DOCTYPE|ENTITY)", re.IGNORECASE)
-TAG = re.compile(r"<[^>]*>")
-RAISED = re.compile(r"<(?:\w+:)?sup\b[^>]*>\s*([-+\N{MINUS SIGN}]?\d+)\s*</(?:\w+:)?sup>")
+DEEPEST, MOST_ELEMENTS = 100, 500_000
+TAG = re.compile(r"<[^<>]*>")
+RAISED = re.compile(r"<(?:\w+:)?sup\b[^<>]*>\s*([-+\N{MINUS SIGN}]?\d+)\s*</(?:\w+:)?sup>")
+
+
+class TooManyElements(ValueError):
+    """More elements than a bank has, or nested more deeply."""
+
+
+@final
+class BoundedTree(TreeBuilder):
+    """A tree of as many elements as a bank may have."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.depth = self.count = 0
+
+    def start(self, tag: str, attrs: dict[str, str], /) -> Element:
+        self.depth, self.count = self.depth + 1, self.count + 1
+        if self.depth > DEEPEST or self.count > MOST_ELEMENTS:
+            raise TooManyElements
+        return super().start(tag, attrs)
+
+    def end(self, tag: str, /) -> Element:
+        self.depth -= 1
+        return super().end(tag)
 
 
 def xml_of(path: Path) -> Element:
     """The root of a file. Raises Malformed with the line for what is no XML, declares entities, or is nested too deeply."""
     source = text_of(path)
-    if declared := DECLARED.search(source):
-        line = source.count("\n", 0, declared.start()) + 1
-        raise Malformed(
-            [Diagnostic(path, line, "declares a document type or entities, which is not read here")]
-        )
-    depth, count, root = 0, 0, None
+    # What the declaration says of the encoding does not count: the text has been read as UTF-8.
+    parser = DefusedXMLParser(target=BoundedTree(), encoding="utf-8", forbid_dtd=True)
     try:
-        for event, element in iterparse(io.BytesIO(source.encode()), ("start", "end")):
-            depth += 1 if event == "start" else -1
-            count += 1
-            root = element if root is None else root
-            if depth > DEEPEST or count > MOST_ELEMENTS:
-                raise Malformed([Diagnostic(path, 1, "has too many elements, or elements nested too deeply")])
-    except LookupError as error:  # of its encoding, though it has been read as UTF-8
-        raise Malformed([Diagnostic(path, 1, f"is no XML: {error}")]) from None
+        parser.feed(source.encode())
+        return parser.close()
+    except (DTDForbidden, EntitiesForbidden, ExternalReferenceForbidden):
+        why, line = (
+            "declares a document type or entities, which is not read here",
+            parser.parser.CurrentLineNumber,
+        )
+    except TooManyElements:
+        why, line = "has too many elements, or elements nested too deeply", parser.parser.CurrentLineNumber
     except ParseError as error:
-        raise Malformed([Diagnostic(path, error.position[0], f"is no XML: {error}")]) from None
-    assert root is not None
-    return root
+        why, line = f"is no XML: {error}", error.position[0]
+    raise Malformed([Diagnostic(path, line, why)])
 
 
 def local(element: Element) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -11,13 +10,14 @@ from pathlib import Path
 from corollary.audit.readers.straight_line import (
     MOST_STATEMENTS,
     NotRead,
+    PublishedFormula,
     StraightLine,
     arguments_at,
     formula_from,
     in_figures,
     refuse_long,
 )
-from corollary.audit.readers.webwork_source import webwork_source
+from corollary.audit.readers.webwork_source import WebworkSource, webwork_source
 from corollary.audit.record import ExerciseRecord
 from corollary.audit.text_file import LARGEST_PROGRAM, text_of
 from corollary.formula.abbreviations import function_words
@@ -129,50 +129,73 @@ def webwork_records(path: Path) -> tuple[ExerciseRecord, ...]:
         source = webwork_source(text_of(path, LARGEST_PROGRAM))
         if not source.answers:
             raise NotRead("it has 0 answers")
-        program = _program(source.text, source.statements)
+        program, read = _program(source)
     except NotRead as error:
         return (replace(bare, unread=str(error)),)
-    if len(source.answers) == 1:
-        return tuple(_record(bare, program, each) for each in source.answers.values())
     return tuple(
-        _record(replace(bare, id=f"{path.stem}#{name}"), program, each)
-        for name, each in source.answers.items()
+        _record(replace(bare, id=bare.id if len(read) == 1 else f"{bare.id}#{name}"), program, each)
+        for name, each in read.items()
     )
 
 
-def _program(text: str, statements: Sequence[str]) -> PerlProgram:
-    """Raises NotRead."""
-    if CONTROL.search(text):
+@dataclass(frozen=True, slots=True)
+class WebworkAnswer:
+    """What an answer is where it is worked out: a number as it stands, or a formula; and the unit behind it."""
+
+    number: str
+    key: PublishedFormula | None
+    unit: str
+
+
+def _program(source: WebworkSource) -> tuple[PerlProgram, dict[str, WebworkAnswer | NotRead]]:
+    """The program behind its last statement, and each answer as it is worked out on the way. Raises NotRead."""
+    if CONTROL.search(source.text):
         raise NotRead("its program has conditions, loops or routines; one of assignments alone is read")
-    if len(statements) > MOST_STATEMENTS:
+    if len(source.statements) > MOST_STATEMENTS:
         raise NotRead(f"its program has more than {MOST_STATEMENTS} statements")
-    if any(CHANGED.search(UPDATED.sub("", each)) for each in statements):
+    if any(CHANGED.search(UPDATED.sub("", each)) for each in source.statements):
         raise NotRead("a variable is changed after it was assigned")
-    for name in VARIABLE.findall(text):
+    for name in VARIABLE.findall(source.text):
         if name.removesuffix(OF_FUNCTION) != name and name.removesuffix(OF_FUNCTION) in function_words():
             raise NotRead(f"{name} is no letter here")
-    program = PerlProgram()
-    for statement in statements:
+    program, read = PerlProgram(), dict[str, WebworkAnswer | NotRead]()
+    waiting = list(source.answers.items())[::-1]
+    for place, statement in enumerate(source.statements):
         program.state(statement)
-    return program
+        while waiting and waiting[-1][1][0] == place:
+            name, (_, answer) = waiting.pop()
+            try:
+                read[name] = _answered(program, answer)
+            except NotRead as error:
+                read[name] = error
+    return program, read
 
 
-def _record(bare: ExerciseRecord, program: PerlProgram, answer: str) -> ExerciseRecord:
-    try:
-        return _answered(bare, program, answer)
-    except NotRead as error:
-        return replace(bare, unread=str(error))
-
-
-def _answered(bare: ExerciseRecord, program: PerlProgram, answer: str) -> ExerciseRecord:
+def _answered(program: PerlProgram, answer: str) -> WebworkAnswer:
+    """Raises NotRead."""
     expression, unit = program.key(answer)
     if "$" not in expression and re.match(r"[-+\d.]", expression):
-        return replace(bare, published=(f"{expression} {unit}".strip(),))
+        return WebworkAnswer(expression, None, unit)
     key = program.lines.key(_letters(expression))
     number = constant(formula_from(key.text))
-    if number is not None:
-        return replace(bare, given=key.drawn, published=(f"{in_figures(number)} {unit}".strip(),))
-    return replace(bare, given=key.drawn, published=(key.text,), worked_out=key.worked_out, key_unit=unit)
+    return WebworkAnswer("" if number is None else in_figures(number), key, unit)
+
+
+def _record(bare: ExerciseRecord, program: PerlProgram, read: WebworkAnswer | NotRead) -> ExerciseRecord:
+    """A number is published with its unit; a formula in all letters that are drawn, also behind it."""
+    if isinstance(read, NotRead):
+        return replace(bare, unread=str(read))
+    drawn = tuple(program.lines.drawn.values())
+    if read.key is None or read.number:
+        given = drawn if read.key is not None else ()
+        return replace(bare, given=given, published=(f"{read.number} {read.unit}".strip(),))
+    return replace(
+        bare,
+        given=drawn,
+        published=(read.key.text,),
+        worked_out=frozenset(program.lines.formulas),
+        key_unit=read.unit,
+    )
 
 
 def _letters(expression: str) -> str:

@@ -19,6 +19,7 @@ COMMENT = re.compile(r"(?m)^[^\S\n]*#.*$|(?<=;)[^\S\n]*#.*$")
 QUOTED = re.compile(r"\"[^\"\n]*\"|'[^'\n]*'")
 PGML_BLANK = re.compile(r"\[_+\]\*?\{")
 CONSTANT = re.compile(r"\$PI\b")
+MARK = "\0"  # of a block that was taken out
 END = "ENDDOCUMENT"
 ANSWERED = re.compile(r"\b((?:(?:LABELED|NAMED|WEIGHTED|NAMED_WEIGHTED)_)?ANS)\s*\(")
 SEVERAL = re.compile(r"@|\w_list\s*\(|\[")
@@ -27,16 +28,18 @@ TOGETHER = re.compile(r"\b(?:Radio)?MultiAnswer\s*\(")
 
 @dataclass(frozen=True, slots=True)
 class WebworkSource:
-    """`statements` are those of the program, `text` is the whole of it; `answers` is what compares each answer, by its label if it
-    has one and its place, from 1, if not."""
+    """`statements` are those of the program, `text` is the whole of it; `answers` is what compares each answer, and behind which
+    statement it is worked out, by its label if it has one and its place, from 1, if not."""
 
     text: str
     statements: tuple[str, ...]
-    answers: dict[str, str]
+    answers: dict[str, tuple[int, str]]
 
 
 def webwork_source(source: str) -> WebworkSource:
     """Raises NotRead where a text assigns or answers something, and where the answers cannot be told apart."""
+    if MARK in source:
+        raise NotRead("it has a character that no text has")
     source = CONSTANT.sub("pi", DOCUMENTATION.sub("", source))
     source, blocks = _without_blocks(source)
     source, heredocs = _without_heredocs(source)
@@ -49,23 +52,32 @@ def webwork_source(source: str) -> WebworkSource:
     source = QUOTED.sub(lambda found: found[0].replace(";", " "), source).partition(END)[0]
     if len(ANSWERED.findall(QUOTED.sub("''", source))) < len(ANSWERED.findall(source)):
         raise NotRead("a text within its program speaks of ANS")
-    in_pgml = [each for text in texts for each in _blanks(text)]
-    in_program = list(_answers(source))
-    if in_pgml and in_program:
+    if any(map(PGML_BLANK.search, heredocs)):
+        raise NotRead("it has answers in a text that is no block of PGML")
+    statements = tuple(each.strip() for each in source.split(";"))
+    answers: dict[str, tuple[int, str]] = {}
+    kinds = set[str]()
+    for place, statement in enumerate(statements):
+        in_block = statement.startswith(MARK)
+        listed = _blanks(blocks[int(statement[1:])]) if in_block else _answers(statement)
+        for label, answer in listed:
+            kinds.add("PGML" if in_block else "ANS")
+            name = label or str(len(answers) + 1)
+            if name in answers:
+                raise NotRead(f"two of its answers are called {name!r}")
+            if len(answers) >= MOST_ANSWERS:
+                raise NotRead(f"it has more than {MOST_ANSWERS} answers")
+            answers[name] = (place, answer)
+    if len(kinds) > 1:
         raise NotRead("it has answers in PGML and others in ANS")
-    answers: dict[str, str] = {}
-    for label, answer in in_program or [("", each) for each in in_pgml]:
-        name = label or str(len(answers) + 1)
-        if name in answers:
-            raise NotRead(f"two of its answers are called {name!r}")
-        answers[name] = answer
-    if len(answers) > 1 and (any(map(SEVERAL.search, answers.values())) or TOGETHER.search(source)):
+    several = any(SEVERAL.search(answer) for _, answer in answers.values()) or TOGETHER.search(source)
+    if len(answers) > 1 and several:
         raise NotRead("one of its answers compares several, and which is which is not certain")
-    return WebworkSource(source, tuple(each.strip() for each in source.split(";")), answers)
+    return WebworkSource(source, statements, answers)
 
 
 def _without_blocks(source: str) -> tuple[str, list[str]]:
-    """What is left of a program without BEGIN_TEXT … END_TEXT and the like, and these."""
+    """A program with a mark and a number in place of BEGIN_TEXT … END_TEXT and the like, and these."""
     marks = list(BLOCK_MARK.finditer(source))
     last_end = {each[2]: each.start() for each in marks if each[1] == "END"}
     rest, blocks = list[str](), list[str]()
@@ -76,6 +88,7 @@ def _without_blocks(source: str) -> tuple[str, list[str]]:
                 rest.append(source[at : mark.start()])
                 begun = mark
         elif mark[1] == "END" and mark[2] == begun[2]:
+            rest.append(f";{MARK}{len(blocks)};")
             blocks.append(source[begun.start() : mark.end()])
             at, begun = mark.end(), None
     return "".join([*rest, source[at:]]), blocks
@@ -114,20 +127,17 @@ def _assigns(text: str) -> bool:
     return False
 
 
-def _blanks(text: str) -> Iterator[str]:
-    """The answers in `[____]{ … }`. Raises NotRead."""
-    at, found = 0, 0
+def _blanks(text: str) -> Iterator[tuple[str, str]]:
+    """The answers in `[____]{ … }`, which have no label. Raises NotRead."""
+    at = 0
     while (blank := PGML_BLANK.search(text, at)) is not None:
         inside, at = arguments_at(text, blank.end())
-        yield ", ".join(inside)
-        found += 1
-        if found > MOST_ANSWERS:
-            raise NotRead(f"it has more than {MOST_ANSWERS} answers")
+        yield "", ", ".join(inside)
 
 
 def _answers(program: str) -> Iterator[tuple[str, str]]:
     """Each answer with its label, "" for none. Raises NotRead."""
-    at, found = 0, 0
+    at = 0
     while (answered := ANSWERED.search(program, at)) is not None:
         inside, at = arguments_at(program, answered.end())
         match answered[1]:
@@ -145,6 +155,3 @@ def _answers(program: str) -> Iterator[tuple[str, str]]:
                     for label, each in zip(flat[::step], flat[1::step], strict=True)
                 ]
         yield from pairs
-        found += len(pairs)
-        if found > MOST_ANSWERS:
-            raise NotRead(f"it has more than {MOST_ANSWERS} answers")
