@@ -246,3 +246,48 @@ def test_any_json_in_the_shape_of_a_notebook_is_answered(
         ids = [cell.id for cell in answer.node.cells]
         assert len(ids) == len(set(ids))
         assert all(isinstance(cell.source, str) for cell in answer.node.cells)
+
+
+OLD = {"cell_type": "heading", "level": 10**9, "source": "x"}
+
+
+@pytest.mark.parametrize("level", [10**9, -(10**9), 10**400, 1e308, True, "2", None, [10**9], {}])
+@pytest.mark.parametrize("version", [1, 2, 3])
+def test_a_heading_of_an_old_notebook_is_as_deep_as_headings_are(level: object, version: int) -> None:
+    cells = [{**OLD, "level": level}, {"cell_type": "code", "input": "a = 1", "code": "a = 1"}]
+    old = {"nbformat": version, "worksheets": [{"cells": cells}], "cells": []}
+    notebook = opened(json.dumps(old).encode())
+    heading, answer = notebook.node.cells
+    assert heading.source in {"# x", "###### x", "## x"}
+    assert answer.source == "a = 1"
+
+
+ANYTHING = some.recursive(
+    some.none() | some.booleans() | some.integers() | some.floats() | some.text(max_size=4),
+    lambda inner: (
+        some.lists(inner, max_size=3)
+        | some.dictionaries(
+            some.sampled_from(
+                ["cells", "worksheets", "cell_type", "source", "input", "level", "metadata", "id", "outputs"]
+            ),
+            inner,
+            max_size=4,
+        )
+    ),
+    max_leaves=8,
+)
+
+
+@settings(max_examples=150, deadline=None)
+@given(some.sampled_from([1, 2, 3, 4, "4", True, 1e308, 10**9, None]), ANYTHING, ANYTHING, ANYTHING)
+def test_whatever_stands_where_cells_should_is_a_notebook_or_a_sentence(
+    version: object, cell: object, cells: object, metadata: object
+) -> None:
+    for sheet in ([cell], cells):
+        raw = {"nbformat": version, "nbformat_minor": metadata, "metadata": metadata, "cells": sheet}
+        for about in (raw, {**raw, "worksheets": [{"cells": sheet}, cell, raw]}):
+            found = notebook_of(json.dumps(about).encode())
+            if isinstance(found, Notebook):
+                nbformat.validate(found.node)
+            else:
+                assert found.why

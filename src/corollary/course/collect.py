@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
+from functools import cache, partial
 from pathlib import Path
 
 from corollary.course.hand_in_time import dated
@@ -12,6 +13,7 @@ from corollary.course.latest import Past, counting, settled
 from corollary.course.lms_places import worksheet_numbers
 from corollary.course.lms_times import Times, read_times
 from corollary.course.owner import LATER, Found, directory_of, identified
+from corollary.guard import Failure, guarded
 from corollary.messages import few
 from corollary.problem.dates import machine_zone
 from corollary.problem.problem_set import ProblemSet
@@ -29,9 +31,12 @@ from corollary.records.collected import (
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.hand_in_time import guessed_time
+from corollary.records.lms_names import Directory, lms_name
 from corollary.records.settings import read_settings
 from corollary.records.submission import submissions
-from corollary.sandbox.archive import members
+from corollary.sandbox.archive import Member, members
+
+LONGEST = 30.0  # seconds of the processor for one file; the slowest that was met takes two
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,13 +77,17 @@ def collect(
         numbers |= worksheet_numbers(table, roster)
     directory = directory_of(roster, before, numbers)
     known = {each.id: each for each in roster}
-    for member in (each for source in sources if source.suffix.lower() != ".csv" for each in members(source)):
+    for member in _members(sources, directory, name):
         progress(writable(member.name))
-        found = identified(member, problem_set, directory, known, assigned, conflicts)
+        found = guarded(
+            partial(identified, member, problem_set, directory, known, assigned, conflicts), LONGEST
+        )
         if isinstance(found, Found):
             met.append(found)
         else:
-            arrivals.append(found)
+            arrivals.append(
+                found if isinstance(found, Arrival) else _stumbled(member, directory, name, found)
+            )
     deadlines = read_deadlines(course, problem_set)
     with_times, remarks = dated(met, moments, zone, deadlines, now)
     remarks += moments.remarks
@@ -88,23 +97,15 @@ def collect(
     there = submissions(course, name)
     for student, theirs in by_student.items():
         earlier = [each for each in before if each.student == student]
-        count, beyond = counting(sorted(theirs, key=lambda each: each.order), earlier, problem_set.tries)
-        why = f"is one more than the {problem_set.tries} tries that the set allows; what came before counts"
-        arrivals += [each.arrival(UNUSABLE, why) for each in beyond]
-        if not count:
-            continue
-        *others, latest = count
-        for each in reversed(others):
-            why = each.why_before(latest)
-            if each.content != latest.content and why != LATER:
-                conflicts.append(f"{student}: {writable(each.member.name)} {why}; the latter is taken")
-            arrivals.append(each.arrival(OLDER, why))
-        guessed = guessed_time(course, name, student) is not None
-        past = Past(earlier, deadlines.of(student), guessed)
-        arrivals.append(settled(course, name, latest, there.get(student), past, moved, dry_run))
-        if not dry_run:
-            for each in theirs:
-                keep(course, name, student, each.content)
+        past = Past(earlier, deadlines.of(student), guessed_time(course, name, student) is not None)
+        of_student = _StudentFiles(course, problem_set, student, theirs, there.get(student), past, dry_run)
+        became = guarded(of_student.arrivals)
+        if isinstance(became, Failure):
+            why = f"could not be put into submitted/ ({became.what}); nothing of it is lost, collect it again"
+            became = [each.arrival(UNUSABLE, why) for each in theirs]
+        arrivals += became
+        conflicts += of_student.conflicts
+        moved += of_student.moved
     if not dry_run:
         remember(course, name, sorted(arrivals, key=lambda each: each.outcome == NOBODY))
     if moved:
@@ -113,3 +114,66 @@ def collect(
     expected = [each.id for each in roster if each.id in assigned and not deadlines.excused(each.id)]
     missing = tuple(each for each in expected if each not in came)
     return Collected(tuple(arrivals), tuple(conflicts), tuple(remarks), missing)
+
+
+@dataclass(slots=True)
+class _StudentFiles:
+    """One student's notebooks on their way to `submitted/`, where `there` lies what was taken before."""
+
+    course: Course
+    problem_set: ProblemSet
+    student: str
+    theirs: Sequence[Found]
+    there: Path | None
+    past: Past
+    dry_run: bool
+    conflicts: list[str] = field(default_factory=list[str])
+    moved: list[str] = field(default_factory=list[str])
+
+    def arrivals(self) -> list[Arrival]:
+        """What became of each; the latest that counts is taken."""
+        name, tries = self.problem_set.name, self.problem_set.tries
+        in_order = sorted(self.theirs, key=lambda each: each.order)
+        count, beyond = counting(in_order, self.past.arrivals, tries)
+        why = f"is one more than the {tries} tries that the set allows; what came before counts"
+        found = [each.arrival(UNUSABLE, why) for each in beyond]
+        if not count:
+            return found
+        *others, latest = count
+        for each in reversed(others):
+            why = each.why_before(latest)
+            if each.content != latest.content and why != LATER:
+                self.conflicts.append(
+                    f"{self.student}: {writable(each.member.name)} {why}; the latter is taken"
+                )
+            found.append(each.arrival(OLDER, why))
+        found.append(settled(self.course, name, latest, self.there, self.past, self.moved, self.dry_run))
+        if not self.dry_run:
+            for each in self.theirs:
+                keep(self.course, name, self.student, each.content)
+        return found
+
+
+def _members(sources: Sequence[Path], directory: Directory, set_name: str) -> Iterator[Member]:
+    """Every file that came, each student's within bounds of their own."""
+
+    @cache
+    def named(part: str) -> str | None:
+        return directory.of_parts((part,), set_name)
+
+    def whose(parts: Sequence[str]) -> str:
+        if lms := lms_name(parts):
+            return directory.of_lms(lms) or f"{lms.name} ({lms.lms} {lms.number})"
+        return next(filter(None, map(named, parts)), "")
+
+    for source in sources:
+        if source.suffix.lower() != ".csv":
+            yield from members(source, whose)
+
+
+def _stumbled(member: Member, directory: Directory, set_name: str, failure: Failure) -> Arrival:
+    """A file over which this program stumbled: it stays where it is, and a person looks at it."""
+    lms = lms_name(member.parts)
+    student = directory.of_lms(lms) if lms else directory.of_parts(member.parts, set_name)
+    why = f"could not be read by this program ({failure.what}); it is left where it is"
+    return Arrival(student or "", member.name, "", UNUSABLE if student else NOBODY, why)

@@ -4,7 +4,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import cast
 
@@ -13,30 +15,41 @@ from nbgrader.coursedir import CourseDirectory
 from nbgrader.plugins.zipcollect import ExtractorPlugin, FileNameCollectorPlugin
 
 from corollary.atomic import write_whole
+from corollary.guard import Failure, guarded
 from corollary.notebook.origin import origin
+from corollary.records.collected import writable
 from corollary.records.files import open_course, students
 from corollary.records.lms_names import Directory, again, file_words, lms_name
-from corollary.sandbox.archive import members
+from corollary.sandbox.archive import Member, members
 from corollary.sandbox.file import bytes_of
 from corollary.sandbox.notebook import Notebook, notebook_of
+
+LONGEST = 30.0  # seconds of the processor for one file
+LONGEST_NAME = 200  # bytes; nbgrader and the number of a second one add some
 
 
 class BoundedExtractor(ExtractorPlugin):
     """Unpacks archives, and archives in archives, within bounds; what is refused is named, and the rest is unpacked."""
 
     def extract(self, archive_path: str, extracted_path: str) -> None:
-        for number, member in enumerate(members(Path(archive_path))):
-            if not isinstance(member.content, bytes):
-                why = "is no notebook" if member.content is None else member.content.in_english
-                self.log.warning("%s %s, and is left out", member.name, why)
-                continue
-            folders = [file_name(part) for part in member.parts[:-1]]
-            place = Path(extracted_path, *folders, file_name(member.parts[-1]))
-            if place.stem.lower().endswith(".ipynb"):  # saved as text; nbgrader looks at notebooks only
-                place = place.with_suffix("")
-            if place.exists():
-                place = place.with_name(f"{place.stem} ({number}){place.suffix}")
-            write_whole(place, member.content)
+        for number, member in enumerate(members(Path(archive_path), _outermost)):
+            done = guarded(partial(self._put, member, number, Path(extracted_path)))
+            if isinstance(done, Failure):
+                self.log.error(
+                    "%s cannot be unpacked (%s), and is left out", writable(member.name), done.what
+                )
+
+    def _put(self, member: Member, number: int, folder: Path) -> None:
+        if not isinstance(member.content, bytes):
+            why = "is no notebook" if member.content is None else member.content.in_english
+            self.log.warning("%s %s, and is left out", writable(member.name), why)
+            return
+        place = folder.joinpath(*map(file_name, member.parts))
+        if place.stem.lower().endswith(".ipynb"):  # saved as text; nbgrader looks at notebooks only
+            place = place.with_suffix("")
+        if place.exists():
+            place = place.with_name(f"{place.stem} ({number}){place.suffix}")
+        write_whole(place, member.content)
 
 
 class OwnerCollector(FileNameCollectorPlugin):
@@ -44,6 +57,13 @@ class OwnerCollector(FileNameCollectorPlugin):
     of several of one student, nbgrader takes the one with the latest moment."""
 
     def collect(self, submitted_file: str) -> dict[str, str] | None:
+        found = guarded(partial(self._owner, submitted_file), LONGEST)
+        if not isinstance(found, Failure):
+            return found
+        self.log.error("%s could not be read (%s), and is left out", writable(submitted_file), found.what)
+        return None
+
+    def _owner(self, submitted_file: str) -> dict[str, str] | None:
         path = Path(submitted_file)
         app = self.parent
         coursedir = cast(CourseDirectory, app.coursedir) if isinstance(app, ZipCollectApp) else None
@@ -86,6 +106,16 @@ def _below(path: Path, extracted: str) -> tuple[str, ...]:
     return parts[parts.index(extracted) + 1 :] if extracted in parts else parts[-2:]
 
 
+def _outermost(parts: Sequence[str]) -> str:
+    """Whose a file of an archive is, as far as bounds go: what an LMS knows the student by, else the folder it lies in."""
+    if lms := lms_name(parts):
+        return f"{lms.name} ({lms.lms} {lms.number})"
+    return parts[0] if len(parts) > 1 else ""
+
+
 def file_name(part: str) -> str:
-    """A name of a file as it was, but for what could lead elsewhere; the _ by which LMSs part names stays."""
-    return "_".join(file_words(piece) if piece else "" for piece in part.split("_"))[:200]
+    """A name of a file as it was, but for what could lead elsewhere, and not longer than one can be; the _ by which LMSs part
+    names stays, and so does its ending."""
+    name = "_".join(file_words(piece) if piece else "" for piece in part.split("_"))
+    stem, ending = (name[:-6], name[-6:]) if name.lower().endswith(".ipynb") else (name, "")
+    return stem.encode("utf-8", "replace")[:LONGEST_NAME].decode("utf-8", "ignore") + ending

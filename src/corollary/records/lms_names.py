@@ -16,10 +16,10 @@ MOODLE = re.compile(
 )
 # Canvas (lib/content_zipper.rb): "lovelaceada_LATE_2001_5678_week1-1.ipynb", with "_LATE" only where it was.
 CANVAS = re.compile(
-    r"(?P<name>[^_/]+(?:_[^\d_/][^_/]*)*?)(?P<late>_LATE)?_(?P<user>\d+)_(?P<attachment>\d+)_(?P<file>.+)$"
+    r"(?P<name>[^_/]+(?:_[^\d_/][^_/]*)*?)(?P<late>_LATE)?_(?P<user>\d+)_(?P<attachment>\d{1,20})_(?P<file>.+)$"
 )
 CANVAS_TEXT = re.compile(r"(?P<name>[^_/]+)(?P<late>_LATE)?_(?P<user>\d+)_(?:text|link)\.html$")
-AGAIN = re.compile(r"(?:[ _]?\((\d+)\)|[ _-]+(?:copy|kopi|kopie|copie)|-(\d+))$", re.IGNORECASE)
+AGAIN = re.compile(r"(?:[ _]?\((\d{1,6})\)|[ _-]+(?:copy|kopi|kopie|copie)|-(\d{1,6}))$", re.IGNORECASE)
 NAMELESS = ("participant", "teilnehm", "deltak", "anon")  # in the place of a name where marking is blind
 CANVAS_IDS = ("ID", "SIS User ID", "SIS Login ID")  # in the order of Canvas's gradebook
 UNSAFE = re.compile(r'[\x00-\x1f/\\:*?"<>|_]+')
@@ -101,7 +101,11 @@ class Directory:
         self._by_number, self._in_worksheet = dict(numbers or {}), dict(worksheet or {})
         self._names: dict[str, set[str]] = {}
         self._ids: dict[str, set[str]] = {}
+        self._words: dict[str, set[str]] = {}
         for each in self._students:
+            words = {_letters(word) for word in f"{each.first_name} {each.last_name}".split()}
+            if len(words) > 1:
+                self._words[each.id] = words
             first, last = _letters(each.first_name), _letters(each.last_name)
             for name in {first + last, last + first} - {""}:
                 self._names.setdefault(name, set()).add(each.id)
@@ -162,10 +166,7 @@ class Directory:
             whole = [rest.strip(" _-"), *re.split(r"[\s_,;()+]+", rest), *words]
             met = {found for word in whole if word and (found := self.by_id(word)) is not None}
             letters = {_letters(word) for word in words}
-            for each in self._students:
-                own = {_letters(word) for word in f"{each.first_name} {each.last_name}".split()}
-                if len(own) > 1 and own <= letters:
-                    met.add(each.id)
+            met |= {student for student, own in self._words.items() if own <= letters}
             if not met and (named := self.by_name(rest)) is not None:
                 met.add(named)
             if met:
