@@ -119,7 +119,11 @@ def test_a_failing_of_the_judge_goes_to_a_person_and_the_others_are_marked(
     monkeypatch.setattr(Solutions, "key", stumbling)
     found = marked(in_turn, by, papers)
     assert all(isinstance(part.verdict, Unmarked) for part in found["ada"].marked.grades[0].parts)
-    assert "ArithmeticError: no such number" in found["ada"].marked.trouble
+    assert [each.what for each in found["ada"].failures] == ["ArithmeticError: no such number"]
+    assert "in stumbling" in found["ada"].failures[0].trace
+    assert (
+        found["ada"].marked.trouble == "It could not be marked by the program."
+    )  # no class of ours reaches a student
     assert found["ben"].marked.points == POINTS["ben"]
 
 

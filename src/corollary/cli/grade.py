@@ -73,6 +73,12 @@ def run(
         )
     for student, why in done.not_run.items():
         say(f"{student} is not graded, for this machine failed: {why} Nothing is recorded; grade again")
+    for student, what in done.failures.items():
+        say(f"{student}: this program failed over what was handed in, so a person has to look ({what})")
+    if done.failures:
+        say(
+            f"such a failure is a fault of this program: {done.log} says where; please report it, and grade again with the next version"
+        )
     for student, names in done.unclear.items():
         say(f"{student} handed in {why_unclear(problem_set.name, names)}")
     for line in all_guessed(problem_set.name, done.guessed):
@@ -126,6 +132,7 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
         "held": list(done.held),
         "skipped": len(done.skipped),
         "failed": list(done.failed),
+        "failures": dict(done.failures),
         "strangers": list(done.strangers),
         "gone": list(done.gone),
         "in_gradebook": done.in_gradebook,

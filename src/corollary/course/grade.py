@@ -8,19 +8,22 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
+from functools import partial
 from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from corollary.atomic import write_whole
 from corollary.course.batches import together
+from corollary.course.failure_log import FailureLog
 from corollary.course.proposed_marks import ProposedMarks
 from corollary.course.workers import Execute, here
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import GradingContext, Submission, state_by_name, state_of
+from corollary.guard import guarded
 from corollary.nbgrader.from_record import from_record
 from corollary.nbgrader.gradebook import gradebook, has_nbgrader
-from corollary.nbgrader.graded import GradedSubmission
+from corollary.nbgrader.graded import GradedSubmission, not_graded
 from corollary.nbgrader.marks import current_manual, stale_pages, synchronized
 from corollary.nbgrader.register import follow_points, register
 from corollary.nbgrader.source import source_notebook
@@ -65,7 +68,7 @@ class Outcome:
     are those who had marks on record that nbgrader no longer had, `gone` those who have marks and whose notebook lies there no
     more, `guessed` those of whom no time of handing in is known. `changed` are those whose marks are others than before, or would
     be; when not all of it is `written`, nothing was written of `held`. `extended` are the changes that follow from more time given
-    to one student."""
+    to one student. `failures` are those over whose work this program failed, and how; the `log` says where."""
 
     graded: tuple[str, ...]
     skipped: tuple[str, ...]
@@ -84,6 +87,8 @@ class Outcome:
     gone: tuple[str, ...] = ()
     refilled: tuple[str, ...] = ()
     guessed: Mapping[str, GuessedTime] = field(default_factory=dict)
+    failures: Mapping[str, str] = field(default_factory=dict)
+    log: Path | None = None
 
 
 def grade_set(
@@ -111,8 +116,8 @@ def grade_set(
     `progress` gets each student as their marks are written, and how many are left. Raises NotGenerated, NotDerivable, CannotStart,
     WeakIsolation, and what the gradebook refuses (GradebookLocked, GradebookUnusable, NotRegistered, BrokenConfig).
     """
-    name = problem_set.name
-    handed_in = _handed_in(course, problem_set, solutions, now or datetime.now(UTC), dry_run)
+    name, failures = problem_set.name, FailureLog(course, problem_set.name)
+    handed_in = _handed_in(course, problem_set, solutions, now or datetime.now(UTC), dry_run, failures)
     digests = handed_in.digests
     manual = current_manual(course) if dry_run else synchronized(course)
     records = read_records(course, problem_set, digests)
@@ -120,7 +125,17 @@ def grade_set(
     written = _written(course, problem_set, done, dry_run)
     todo = [student for student in digests if regrade or student not in written]
     given = with_out_of(course, name, manual).by_student(name)
-    proposed = ProposedMarks(course, problem_set, handed_in.deadlines, given, regrade, dry_run)
+    context = GradingContext(problem_set, solutions, course.key, runner)
+    proposed = ProposedMarks(
+        course,
+        problem_set,
+        handed_in.deadlines,
+        given,
+        regrade,
+        dry_run,
+        failures,
+        partial(not_graded, context),
+    )
     left = count(len(todo) - 1, -1)
 
     def take(graded: Iterable[GradedSubmission]) -> set[str]:
@@ -133,14 +148,14 @@ def grade_set(
                     progress(one.submission.student.id, next(left))
         return ids
 
-    known = take(_marked_again(handed_in, todo, only_changed=regrade)) if todo else set[str]()
-    if to_run := [student for student in todo if student not in known]:
+    known = take(_marked_again(handed_in, todo, failures, only_changed=regrade)) if todo else set[str]()
+    if to_run := [student for student in todo if student not in known and student not in failures.found]:
         for problem in problem_set.problems:
             solutions.of(problem)  # once, before there are workers who would each do it
-        context = GradingContext(problem_set, solutions, course.key, runner)
         begin()
         run = execute or here(jobs, len(to_run))
-        with run(context, map(handed_in.submission, to_run)) as graded:
+        read = (failures.guarded(student, partial(handed_in.submission, student)) for student in to_run)
+        with run(context, (each for each in read if each is not None)) as graded:
             take(graded)
     if not dry_run:
         if todo and (not proposed.moves_marks or ask(proposed.changed)):
@@ -150,16 +165,18 @@ def grade_set(
         manual = synchronized(course) if todo else manual  # a person may have given some meanwhile
         own = read_records(course, problem_set, handed_in.files)
         write_shared(course, problem_set, find_shared(problem_set, solutions, handed_in.assigned, own))
-    report = report_of(course, problem_set, manual)
+    report = report_of(course, problem_set, manual, failures.by_student)
     if not dry_run:
-        _write_pages(course, problem_set, report, manual, handed_in.files)
+        _write_pages(course, problem_set, report, manual, handed_in.files, failures)
+    failures.write()
     held, not_run, without = proposed.held_students, proposed.not_run, unclear(course, name)
     there = {*handed_in.files, *without}
+    without_marks = failures.found.keys() - {one.student for one in report.handed_in}
     return Outcome(
         graded=tuple(student for student in todo if student not in not_run and student not in held),
         written=not held and not dry_run,
         skipped=tuple(student for student in digests if student not in todo),
-        failed=(*not_run, *(one.student for one in report.failed if one.student not in not_run)),
+        failed=tuple(dict.fromkeys((*not_run, *(one.student for one in report.failed), *without_marks))),
         strangers=handed_in.strangers,
         records=read_marks(course, problem_set, handed_in.files, manual),
         in_gradebook=has_nbgrader(),
@@ -172,6 +189,8 @@ def grade_set(
         not_run=not_run,
         gone=tuple(one.student for one in report.handed_in if one.student not in there),
         refilled=tuple(student for student in done if student not in written),
+        failures=failures.by_student,
+        log=failures.place,
         guessed={one: guess for one in digests if (guess := guessed_time(course, name, one)) is not None},
     )
 
@@ -204,7 +223,12 @@ class _HandedIn:
 
 
 def _handed_in(
-    course: Course, problem_set: ProblemSet, solutions: Solutions, now: datetime, dry_run: bool
+    course: Course,
+    problem_set: ProblemSet,
+    solutions: Solutions,
+    now: datetime,
+    dry_run: bool,
+    failures: FailureLog,
 ) -> _HandedIn:
     """But for a dry run, this settles when each was handed in. Raises NotGenerated."""
     name = problem_set.name
@@ -222,13 +246,15 @@ def _handed_in(
     terms = {student: deadlines.terms(student, now) for student in files}
     if not dry_run:
         for student in files.keys() - set(strangers):
-            settle_time(course, name, student, terms[student])
-    state = state_of(problem_set, solutions)
-    digests = {
-        student: fingerprint(course, name, student, path, assigned[student], state, terms[student])
-        for student, path in files.items()
-        if student not in strangers
-    }
+            failures.guarded(student, partial(settle_time, course, name, student, terms[student]))
+    state, digests = state_of(problem_set, solutions), dict[str, str]()
+    for student in files.keys() - set(strangers) - failures.found.keys():
+        work = partial(
+            fingerprint, course, name, student, files[student], assigned[student], state, terms[student]
+        )
+        if (digest := failures.guarded(student, work)) is not None:
+            digests[student] = digest
+    digests = {student: digests[student] for student in files if student in digests}
     return _HandedIn(
         course, problem_set, solutions, roster, assigned, files, strangers, deadlines, terms, digests,
         state_by_name(problem_set, solutions),
@@ -236,26 +262,39 @@ def _handed_in(
 
 
 def _marked_again(
-    handed_in: _HandedIn, those: Iterable[str], *, only_changed: bool
+    handed_in: _HandedIn, those: Iterable[str], failures: FailureLog, *, only_changed: bool
 ) -> Iterator[GradedSubmission]:
     """Those whose notebooks need not be run again: what came of them is on record."""
     course, about, solutions = handed_in.course, handed_in.problem_set, handed_in.solutions
     for student in those:
         if page_facts_place(course, about.name, student).exists():
-            read = handed_in.submission(student)
-            found = from_record(course, about, solutions, read, only_changed=only_changed)
-            if found is not None:
+            read = failures.guarded(student, partial(handed_in.submission, student))
+            if read is None:
+                continue
+            # Where that fails, the notebook is run again.
+            found = guarded(partial(from_record, course, about, solutions, read, only_changed=only_changed))
+            if isinstance(found, GradedSubmission):
                 yield found
 
 
 def _write_pages(
-    course: Course, problem_set: ProblemSet, report: Report, manual: ManualMarks, those: Iterable[str]
+    course: Course,
+    problem_set: ProblemSet,
+    report: Report,
+    manual: ManualMarks,
+    those: Iterable[str],
+    failures: FailureLog,
 ) -> None:
     """The report, and the feedback of those to whom a person gave something since theirs was made, or whose was lost."""
     page = report_page(report, problem_set, formgrader=read_settings(course.folder).formgrader)
     write_whole(report_place(course, problem_set.name), page)
-    for student, text in stale_pages(course, problem_set.name, manual, those).items():
-        write_page(course, problem_set.name, student, text)
+    for one in those:
+        failures.guarded(one, partial(_write_page_anew, course, problem_set.name, one, manual))
+
+
+def _write_page_anew(course: Course, name: str, student: str, manual: ManualMarks) -> None:
+    for one, text in stale_pages(course, name, manual, (student,)).items():
+        write_page(course, name, one, text)
 
 
 def _written(

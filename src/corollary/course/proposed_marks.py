@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING
 
 from corollary.course.batches import together
+from corollary.course.failure_log import LONGEST, FailureLog
+from corollary.grading.submission import Submission
+from corollary.guard import Failure, guarded
+from corollary.nbgrader.gradebook import concerns_everybody
 from corollary.nbgrader.graded import GradedSubmission
 from corollary.nbgrader.marks import write_graded
 from corollary.problem.problem_set import ProblemSet
@@ -26,7 +31,8 @@ if TYPE_CHECKING:
 class ProposedMarks:
     """The marks of a run of grading. `by_hand` is what persons gave, by student; a regrade is written whole or not at all, a dry
     run never. `not_run` says why the machine failed to run somebody's notebook; `extended` are the changes that follow from
-    more time given to one student; `moves_marks` says that others are moved, too, which nobody has agreed to yet."""
+    more time given to one student; `moves_marks` says that others are moved, too, which nobody has agreed to yet. What cannot be
+    written of somebody is among the `failures`, and written as `unmarked`: without anything of what was handed in."""
 
     course: Course
     problem_set: ProblemSet
@@ -34,6 +40,8 @@ class ProposedMarks:
     by_hand: Mapping[str, OfStudent]
     regrade: bool
     dry_run: bool
+    failures: FailureLog
+    unmarked: Callable[[Submission], GradedSubmission]
     not_run: dict[str, str] = field(default_factory=dict[str, str])
     extended: list[Change] = field(default_factory=list[Change])
     moves_marks: bool = False
@@ -54,18 +62,44 @@ class ProposedMarks:
         """Writes what may be written at once, and holds the rest."""
         at_once: list[GradedSubmission] = []
         for one in several:
+            student = one.submission.student.id
+            self.failures.add(student, one.failures)
             if one.marked.machine_failed:
-                self.not_run[one.submission.student.id] = one.marked.trouble
-            else:
-                (self._held if self._has_to_wait(one) else at_once).append(one)
-        if at_once:
-            write_graded(self.course, self.problem_set, at_once, self.by_hand, book)
+                self.not_run[student] = one.marked.trouble
+                continue
+            waits = self.failures.guarded(student, partial(self._has_to_wait, one))
+            (at_once if waits is False else self._held).append(one)
+        self._write(at_once, book)
 
     def write_held(self, book: Gradebook | None) -> None:
         """What was held, once it is agreed to."""
         for several in together(self._held):
-            write_graded(self.course, self.problem_set, several, self.by_hand, book)
+            self._write(several, book)
         self._held.clear()
+
+    def _write(self, several: Sequence[GradedSubmission], book: Gradebook | None) -> None:
+        """All at once; each by itself where one of them cannot be written, and that one without what was handed in."""
+        if len(several) > 1:
+            if isinstance(self._written(several, book), Failure):
+                for one in several:
+                    self._write([one], book)
+            return
+        for one in several:
+            student = one.submission.student.id
+            if isinstance(failure := self._written([one], book), Failure):
+                self.failures.add(student, [failure])
+                if isinstance(failure := self._written([self.unmarked(one.submission)], book), Failure):
+                    self.failures.add(student, [failure])
+                    self.not_run[student] = f"nothing of it can be written ({failure.what})."
+
+    def _written(self, several: Sequence[GradedSubmission], book: Gradebook | None) -> Failure | None:
+        if not several:
+            return None
+        work = partial(write_graded, self.course, self.problem_set, several, self.by_hand, book)
+        done = guarded(work, LONGEST, concerns_everybody())
+        if isinstance(done, Failure) and book is not None:
+            book.db.rollback()  # pyright: ignore[reportUnknownMemberType]
+        return done
 
     def _has_to_wait(self, one: GradedSubmission) -> bool:
         old = self._standing(one)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING
 
 from corollary.answers.answer import Answer, Blank, Entries, Formulas, Numbers, Prose, Unclear
@@ -17,6 +19,7 @@ from corollary.grading.expected import expected_of
 from corollary.grading.follow_through import same_as
 from corollary.grading.guesses import for_nothing, one_number, own_work, repeated
 from corollary.grading.key import Key
+from corollary.guard import Failure, guarded
 from corollary.messages import catalogue
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
@@ -25,6 +28,8 @@ if TYPE_CHECKING:  # programs are not run in a browser, where this judges, too
     from corollary.grading.program_run import ProgramRun
 
 _ = catalogue(__name__)
+LONGEST = 10.0
+"""Seconds of the processor for reading and judging one answer; a hundredth is usual, and programs are run elsewhere."""
 
 
 def judge(
@@ -36,35 +41,63 @@ def judge(
     student: str = "",
 ) -> dict[str, tuple[tuple[Verdict, ...], str]]:
     """The verdicts of each part, and how the answer was read. A part of two types (code and plot) has two verdicts."""
-    earlier: dict[str, Values] = {}
-    slips: set[tuple[str, float]] = set()
-    typed: dict[str, float] = {}
+    so_far = _SoFar()
     result: dict[str, tuple[tuple[Verdict, ...], str]] = {}
     for part in key.variant.problem.parts:
         run = (programs or {}).get(part.id)
-        expected = expected_of(key, part, earlier, _on_runs(key, part, run, secret, student) if run else {})
+        on_runs = (
+            partial(_on_runs, key, part, run, secret, student) if run else dict[str, Callable[[], Verdict]]
+        )
         value = answers.get(part.id, Nothing())
-        try:
-            answer = read(part, value, expected, key.variant.problem)
-            verdicts = tuple(verdict_on(name, answer, expected) for name in part.answer_types)
-        except (
-            Exception
-        ) as error:  # in a program of somebody else's, which costs its own part an automatic verdict
-            if set(part.answer_types) <= set(BUILT_IN):
-                raise
-            answer, verdicts = Blank(), tuple(_failed(name, error) for name in part.answer_types)
-        values = values_in(answer, expected)
-        again = same_as(key.solution, key.truths[part.id].place) if part.id in key.truths else ""
-        verdicts = tuple(own_work(verdict, values, earlier, again) for verdict in verdicts)
-        result[part.id] = tuple(_once(verdict, slips) for verdict in verdicts), answer.as_read
-        if values is not None:
-            earlier[part.id] = values
-        if isinstance(answer, Numbers):
-            typed[part.id] = one_number(answer, part)
-    for part in repeated(typed, {part: verdicts for part, (verdicts, _answer) in result.items()}):
+        found = guarded(partial(_of_part, key, part, value, on_runs, so_far), LONGEST)
+        if isinstance(found, Failure):
+            found = (
+                tuple(Unmarked(_("It could not be marked by the program.")) for _type in part.answer_types),
+                "",
+            )
+        result[part.id] = found
+    for part in repeated(so_far.typed, {part: verdicts for part, (verdicts, _answer) in result.items()}):
         verdicts, as_read = result[part]
         result[part] = tuple(map(for_nothing, verdicts)), as_read
     return result
+
+
+@dataclass(frozen=True, slots=True)
+class _SoFar:
+    """What came of the parts before: their values, the slips met, and the one number that was typed."""
+
+    values: dict[str, Values] = field(default_factory=dict[str, Values])
+    slips: set[tuple[str, float]] = field(default_factory=set[tuple[str, float]])
+    typed: dict[str, float] = field(default_factory=dict[str, float])
+
+
+def _of_part(
+    key: Key,
+    part: Part,
+    value: Value,
+    on_runs: Callable[[], Mapping[str, Callable[[], Verdict]]],
+    so_far: _SoFar,
+) -> tuple[tuple[Verdict, ...], str]:
+    """The verdicts of one part, and how its answer was read."""
+    expected = expected_of(key, part, so_far.values, on_runs())
+    try:
+        answer = read(part, value, expected, key.variant.problem)
+        verdicts = tuple(verdict_on(name, answer, expected) for name in part.answer_types)
+    except (
+        Exception
+    ) as error:  # in a program of somebody else's, which costs its own part an automatic verdict
+        if set(part.answer_types) <= set(BUILT_IN):
+            raise
+        answer, verdicts = Blank(), tuple(_failed(name, error) for name in part.answer_types)
+    values = values_in(answer, expected)
+    again = same_as(key.solution, key.truths[part.id].place) if part.id in key.truths else ""
+    verdicts = tuple(own_work(verdict, values, so_far.values, again) for verdict in verdicts)
+    verdicts = tuple(_once(verdict, so_far.slips) for verdict in verdicts)
+    if isinstance(answer, Numbers):
+        so_far.typed[part.id] = one_number(answer, part)
+    if values is not None:
+        so_far.values[part.id] = values
+    return verdicts, answer.as_read
 
 
 def _on_runs(

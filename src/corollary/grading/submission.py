@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from datetime import datetime
+from functools import partial
 from typing import TYPE_CHECKING
 
 from corollary.grading.grade import Grade, Marked
@@ -13,6 +14,7 @@ from corollary.grading.integrity import elsewhere, notes
 from corollary.grading.judged_by import without_points, without_rubrics
 from corollary.grading.marking import mark, not_marked
 from corollary.grading.solutions import Solutions
+from corollary.guard import Failure, collecting, guarded
 from corollary.messages import catalogue, spoken
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.pictures import packed_file
@@ -32,6 +34,9 @@ if TYPE_CHECKING:
     from nbformat import NotebookNode
 
 _ = catalogue(__name__)
+
+LONGEST = 60.0
+"""Seconds of the processor for marking one submission, beside what its notebook takes in a process of its own."""
 
 LATE_SHARE = "what late work keeps"
 JUDGED_BY = "what verdicts follow from in "
@@ -78,45 +83,52 @@ class GradingContext:
 
 @dataclass(frozen=True, slots=True)
 class MarkedSubmission:
-    """Marks, the notebook as it was handed in (None when it could not be opened), and the worked solutions by code of the
-    problem where they are revealed."""
+    """Marks, the notebook as it was handed in (None when it could not be opened), the worked solutions by code of the
+    problem where they are revealed, and what this program stumbled over."""
 
     marked: Marked
     notebook: NotebookNode | None
     worked_solutions: Mapping[str, str]
+    failures: tuple[Failure, ...] = ()
 
 
 def mark_submission(context: GradingContext, runner: Runner, submission: Submission) -> MarkedSubmission:
-    """Marks one submission. A failing of ours goes to a person and costs no marks; only what concerns every submission
-    (CannotStart, WeakIsolation) is raised."""
+    """Marks one submission. A failing of ours goes to a person, costs no marks, and is among the `failures`; only what concerns
+    every submission (CannotStart, WeakIsolation) is raised."""
+    with collecting() as failures:
+        work = partial(_marked, context, runner, submission)
+        found = guarded(work, LONGEST, (CannotStart, WeakIsolation))
+        if isinstance(found, Failure):
+            found = left_to_a_person(context, submission)
+    return replace(found, failures=tuple(failures))
+
+
+def _marked(context: GradingContext, runner: Runner, submission: Submission) -> MarkedSubmission:
     sheet = context.worksheet(submission)
     received = submission.notebook
     node = received.node if isinstance(received, Notebook) else None
     if node is not None and (why := elsewhere(sheet, node)):
         return MarkedSubmission(not_marked(sheet, why, submission.late).joined(submission.retained), node, {})
-    try:
-        keys = {each.problem.code: context.solutions.key(each.variant) for each in sheet.exercises}
-        marked = mark(sheet, keys, received, runner, context.secret, submission.late, submission.reveal)
-        marked = marked.joined(submission.retained)
-        marked = replace(marked, notes=notes(sheet, node) if node is not None else ())
-        # Who handed in what cannot be opened may hand in again: the answers stay hidden.
-        revealed = keys if submission.reveal and node is not None else {}
-        return MarkedSubmission(
-            marked, node, {code: context.solutions.worked_solution_of(key) for code, key in revealed.items()}
-        )
-    except (CannotStart, WeakIsolation):
-        raise
-    except Exception as error:
-        return left_to_a_person(context, submission, f"{type(error).__name__}: {error}", node)
+    keys = {each.problem.code: context.solutions.key(each.variant) for each in sheet.exercises}
+    marked = mark(sheet, keys, received, runner, context.secret, submission.late, submission.reveal)
+    marked = marked.joined(submission.retained)
+    marked = replace(marked, notes=notes(sheet, node) if node is not None else ())
+    # Who handed in what cannot be opened may hand in again: the answers stay hidden.
+    revealed = keys if submission.reveal and node is not None else {}
+    worked = {code: context.solutions.worked_solution_of(key) for code, key in revealed.items()}
+    return MarkedSubmission(marked, node, worked)
 
 
-def left_to_a_person(
-    context: GradingContext, submission: Submission, why: str, node: NotebookNode | None = None
-) -> MarkedSubmission:
-    """A submission that could not be marked through no fault of its student: every part waits for a person."""
-    sentence = _("It could not be marked by the program ({why}).", why=why)
+def left_to_a_person(context: GradingContext, submission: Submission, why: str = "") -> MarkedSubmission:
+    """A submission that could not be marked through no fault of its student: every part waits for a person. Nothing of what
+    was handed in is shown again: it may be what could not be handled."""
+    sentence = (
+        _("It could not be marked by the program ({why}).", why=why)
+        if why
+        else _("It could not be marked by the program.")
+    )
     marked = not_marked(context.worksheet(submission), sentence, submission.late)
-    return MarkedSubmission(marked.joined(submission.retained), node, {})
+    return MarkedSubmission(marked.joined(submission.retained), None, {})
 
 
 def state_of(problem_set: ProblemSet, solutions: Solutions) -> str:

@@ -125,6 +125,15 @@ def gradebook(course: Course) -> Generator[Gradebook]:
         ) from None
 
 
+def concerns_everybody() -> tuple[type[Exception], ...]:
+    """What writing into the gradebook raises that is about no one student: it is locked, damaged, or does not know the set."""
+    if not has_nbgrader():
+        return (NotRegistered,)
+    from sqlalchemy.exc import DatabaseError
+
+    return NotRegistered, DatabaseError
+
+
 def _new(course: Course, place: CourseDirectory) -> None:
     """A gradebook made beside its place and then moved there, so that one half made is never met."""
     from nbgrader.api import Gradebook

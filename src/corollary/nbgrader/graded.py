@@ -7,15 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 from corollary.grading.grade import Marked
 from corollary.grading.submission import (
+    LONGEST,
     GradingContext,
     MarkedSubmission,
     Submission,
     left_to_a_person,
     mark_submission,
 )
+from corollary.guard import Failure, guarded
 from corollary.messages import language
 from corollary.nbgrader.marked_notebook import answer_digest, marked_notebook, notebook_text, part_grades
 from corollary.problem.problem_set import ProblemSet
@@ -31,7 +34,7 @@ class GradedSubmission:
     """Without what is in the texts and weighs most (bytes, runs and pictures): it travels between processes.
 
     `page` is the feedback with the program's own marks, `facts` what it is made again from, `answers` a digest of what was
-    written for each part."""
+    written for each part, `failures` what this program stumbled over."""
 
     submission: Submission
     marked: Marked
@@ -39,6 +42,7 @@ class GradedSubmission:
     facts: bytes
     page: str
     answers: Mapping[str, str]
+    failures: tuple[Failure, ...] = ()
 
     @property
     def record(self) -> Record:
@@ -57,16 +61,14 @@ def grade_submission(context: GradingContext, runner: Runner, submission: Submis
     WeakIsolation) is raised."""
     with language(context.language):
         found = mark_submission(context, runner, submission)
-        try:
-            return graded(context.problem_set, submission, found)
-        except Exception as error:  # a page that cannot be made costs no marks either
-            why = f"{type(error).__name__}: {error}"
-            return graded(
-                context.problem_set, submission, left_to_a_person(context, submission, why, found.notebook)
-            )
+        made = guarded(partial(graded, context.problem_set, submission, found), LONGEST)
+        if isinstance(made, Failure):  # a page that cannot be made costs no marks either
+            left = left_to_a_person(context, submission)
+            made = graded(context.problem_set, submission, replace(left, failures=(*found.failures, made)))
+        return made
 
 
-def not_graded(context: GradingContext, submission: Submission, why: str) -> GradedSubmission:
+def not_graded(context: GradingContext, submission: Submission, why: str = "") -> GradedSubmission:
     """A submission whose marking was cut short from outside: every part waits for a person."""
     return graded(context.problem_set, submission, left_to_a_person(context, submission, why))
 
@@ -89,4 +91,5 @@ def graded(problem_set: ProblemSet, submission: Submission, found: MarkedSubmiss
         packed(facts),
         feedback_page(facts, record_of(marked, "")),
         {key: answer_digest(node, key) for key, _ in part_grades(marked)},
+        found.failures,
     )

@@ -127,9 +127,14 @@ class Report:
         return dict(Counter(one.isolation for one in self.handed_in if one.isolation))
 
 
-def report_of(course: Course, problem_set: ProblemSet, manual: ManualMarks | None = None) -> Report:
+def report_of(
+    course: Course,
+    problem_set: ProblemSet,
+    manual: ManualMarks | None = None,
+    failures: Mapping[str, str] | None = None,
+) -> Report:
     """The report from the records of a course, its rows in the order of the set's parts; `manual` is what persons gave (what
-    the journal holds when left out). Raises NotACourse."""
+    the journal holds when left out); `failures` says over whose work this program failed, and how. Raises NotACourse."""
     parts = [(problem.code, part.id) for problem in problem_set.problems for part in problem.parts]
     places = {part: place for place, part in enumerate(parts)}
     roster = [student.id for student in students(course)]
@@ -146,6 +151,11 @@ def report_of(course: Course, problem_set: ProblemSet, manual: ManualMarks | Non
         for student, names in unclear(course, name).items()
         if student in known
     }
+    marked = {each.handed_in.student for each in records if not each.trouble}
+    for student, what in (failures or {}).items():
+        if student in marked:  # of one answer, which waits for a person
+            continue
+        unusable[student] = f"this program failed over it, and a person has to look ({visible(what)})"
     there, arrivals = submissions(course, name), read_arrivals(course, name)
     for each in arrivals:  # what was collected and could not be put where it is marked
         if each.outcome == UNUSABLE and each.student in known and each.student not in there:
