@@ -26,6 +26,7 @@ from corollary.verify.obligations.obligation import Settled
 from corollary.verify.sets import CheckedSet, check_set
 from corollary.verify.side_by_side import verify_each
 from corollary.verify.unchanged import verify_changed
+from corollary.verify.words.unread import unread_of_all
 
 NAMED = 5  # problems in a sentence
 
@@ -95,6 +96,8 @@ def run(
         _complaints(found, broken)
         _notes({"sets": [note for each in sets for note in each.notes]}, found, verbose)
         _verdict(found, broken, time.perf_counter() - start)
+        if line := unread_of_all([(each.code, each.unread) for each in found]):
+            print(line)
     return HOLDS if ok else FAILS
 
 
@@ -135,6 +138,7 @@ def _record(checked: Checked) -> dict[str, Any]:
         "obligations": [_obligation(each) for each in checked.obligations],
         "complaints": list(checked.complaints),
         "notes": list(checked.notes),
+        "unread": list(checked.unread),
     }
 
 

@@ -79,6 +79,7 @@ def read_problem(path: Path) -> Problem:
     ]
     (figure, figure_line), (alt, alt_line) = front.line_of("figure", ""), front.line_of("alt", "")
     description = _description(front)
+    meant = _meant(front)
     front.finish()
     node = table.entries.get("figure")
     first_line = figure_line + (node.block if isinstance(node, TextNode) else 0)
@@ -129,6 +130,7 @@ def read_problem(path: Path) -> Problem:
         figure_line,
         description=description,
         expected=expected,
+        meant=meant,
     )
 
 
@@ -145,6 +147,17 @@ def _description(front: Reader) -> Description:
             front.complain(node.line, "a tag is a word or a few; list them as tags: [energy, two steps]")
     author, licence, version = (front.text(name, "") for name in ("author", "licence", "version"))
     return Description(int(difficulty or 0), tuple(tags), author, licence, version)
+
+
+def _meant(front: Reader) -> tuple[str, ...]:
+    """Numbers in the words that are meant for everybody, as they stand there."""
+    found: list[str] = []
+    for node in front.list_of("meant"):
+        if isinstance(node, TextNode) and any(map(str.isdigit, node.text)):
+            found.append(node.text.strip())
+        else:
+            front.complain(node.line, "meant: lists numbers as they stand in the words: meant: [50 km/h, 12]")
+    return tuple(found)
 
 
 def _constant(

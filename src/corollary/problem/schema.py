@@ -82,6 +82,10 @@ def schema() -> dict[str, Any]:
                 "description": "A line for each thing in it; or SVG, with holes such as {{m}}.",
             },
             "alt": {"type": "string", "description": "The figure in words."},
+            "meant": {
+                **texts,
+                "description": "Numbers in the words that are the same for everybody, as they stand there.",
+            },
             "difficulty": {
                 "enum": [*map(int, DIFFICULTIES), *DIFFICULTIES],
                 "description": "From 1 (easiest) to 5.",

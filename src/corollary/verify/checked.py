@@ -38,7 +38,7 @@ class Tally:
 @dataclass(frozen=True, slots=True)
 class Checked:
     """One problem, verified. `redrawn` is the share of draws that may not be assigned, `why` their most common reasons; `notes` are what
-    an author may want to know, and no fault."""
+    an author may want to know, and no fault; `unread` is what no check has read."""
 
     code: str
     variants: int
@@ -49,6 +49,7 @@ class Checked:
     complaints: tuple[str, ...]
     notes: tuple[str, ...] = ()
     obligations: tuple[Settled, ...] = ()
+    unread: tuple[str, ...] = ()
 
     @property
     def ok(self) -> bool:

@@ -49,7 +49,7 @@ def _recalled(bank: Bank, problem: Problem, count: int) -> Checked | None:
         if text is not None:
             found: dict[str, Any] = json.loads(text)
             found["obligations"] = tuple(Settled(**each) for each in found["obligations"])
-            for name in ("complaints", "notes"):
+            for name in ("complaints", "notes", "unread"):
                 found[name] = tuple(found[name])
             found["why"] = tuple((reason, times) for reason, times in found["why"])
             return Checked(**found)

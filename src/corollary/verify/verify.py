@@ -29,6 +29,8 @@ from corollary.verify.samples import check_claims, check_samples
 from corollary.verify.translations import check_translations
 from corollary.verify.unchecked import note_unchecked
 from corollary.verify.walk import LEAST, Walked, check_scenes, walk
+from corollary.verify.words.check_words import check_solution_words, check_words
+from corollary.verify.words.unread import unread
 
 SLOW = ("laws put back", "obligations", "variants", "scenes", "programs")
 """The stages that take most of the time, in their order."""
@@ -57,6 +59,7 @@ class Verification:
         bank, problem, tally = self.bank, self.problem, self.tally
         yield "derivation"
         check_figure(problem, tally)
+        check_words(problem, tally)
         try:
             solution = solve(bank, problem)
             tally.count("parts", len(problem.parts))
@@ -64,6 +67,7 @@ class Verification:
             check_dimensions(bank, solution, tally)
             check_cases(bank, solution, tally)
             check_translations(problem, solution, tally)
+            check_solution_words(bank, solution, tally)
             own = make_key(solution, chapter(problem))
             yield "samples"
             check_samples(own, tally)
@@ -109,6 +113,7 @@ class Verification:
             tuple(tally.complaints),
             tuple(tally.notes),
             tuple(tally.obligations),
+            unread(self.problem),
         )
 
 

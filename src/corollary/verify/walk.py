@@ -24,6 +24,7 @@ from corollary.scenes.plan import followed
 from corollary.scenes.run import BadSetting, GuardFailed, components
 from corollary.verify.checked import Tally
 from corollary.verify.narrowing import TriedDraw, narrower
+from corollary.verify.words.asked_sign import magnitudes_asked, negative_magnitudes
 
 LEAST = 100  # variants
 SIMULATED = 8  # of them: a simulation takes a second where algebra takes a millisecond
@@ -47,6 +48,7 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
     problem, reasons, met = solution.problem, Counter[str](), 0
     tried, first = list[TriedDraw](), list[Key]()
     right: dict[str, Counter[str]] = {part: Counter() for part in solution.choices}
+    magnitudes = magnitudes_asked(problem)
     for variant in sample(problem, 20 * count):
         key, reason = admitted(solution, variant)
         tried.append(TriedDraw(variant, key is not None))
@@ -57,6 +59,9 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
         tally.count("variants walked")
         for part, letter in key.choices.items():
             right[part][letter] += 1
+        for part, sentence in negative_magnitudes(magnitudes, key):
+            tally.complain(sentence)
+            del magnitudes[part]
         check_right(key, tally)
         check_neglected(bank, key, tally)
         if met <= SIMULATED:

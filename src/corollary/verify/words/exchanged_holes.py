@@ -1,0 +1,178 @@
+"""Holes of two givens that have changed places: by the nouns of their meanings, and by their order in the original."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import combinations
+
+from corollary.problem.given import Given
+from corollary.problem.problem import Problem
+from corollary.problem.statement import HOLE
+from corollary.problem.translation import ProblemTranslation
+from corollary.verify.words.author_text import AuthorText
+from corollary.verify.words.numerals_in_words import typed_numbers
+
+WORD = re.compile(r"[^\W\d_]{3,}|\b[A-Z]\b|\b\d\b|[.;:!?](?=\s)")
+REACH = 9  # words before a hole that may say what it is
+COMMON = frozenset(
+    [
+        "the",
+        "of",
+        "and",
+        "for",
+        "its",
+        "von",
+        "der",
+        "die",
+        "das",
+        "des",
+        "dem",
+        "den",
+        "und",
+        "til",
+        "for",
+        "den",
+        "det",
+        "og",
+    ]
+)
+STEM = 5
+
+
+def exchanged(problem: Problem, texts: Iterable[AuthorText], meanings: Mapping[str, str]) -> Iterator[str]:
+    """A sentence with its place for two holes in a text, each of which the words before it say to be the other."""
+    givens = {given.symbol: given for given in problem.givens}
+    for each in texts:
+        places = _places(each.text, givens)
+        for one, other in combinations(places, 2):
+            if givens[one].unit.dimension != givens[other].unit.dimension or not (
+                places[one] and places[other]
+            ):
+                continue
+            if _swapped(each.text, places[one][0], places[other][0], meanings[one], meanings[other]):
+                yield (
+                    f"{each.where(places[one][0], each.text)}: {each.what}: {{{{{one}}}}} stands where the words are about "
+                    f"{meanings[other]}, and {{{{{other}}}}} where they are about {meanings[one]}: exchange them"
+                )
+
+
+def _places(text: str, givens: Mapping[str, Given]) -> dict[str, list[int]]:
+    found: dict[str, list[int]] = {}
+    for hole in HOLE.finditer(text):
+        letter = hole["formula"].strip()
+        if letter in givens and not givens[letter].words:
+            found.setdefault(letter, []).append(hole.start())
+    return found
+
+
+def _swapped(text: str, one: int, other: int, mine: str, theirs: str) -> bool:
+    """True if the nearest of the distinctive words before each hole is one of the other's."""
+    own, others = _distinctive(mine, theirs), _distinctive(theirs, mine)
+    return (
+        bool(own and others)
+        and _nearest(text, one, own, others) == 2
+        and _nearest(text, other, own, others) == 1
+    )
+
+
+def _distinctive(mine: str, theirs: str) -> frozenset[str]:
+    return frozenset(_stems(mine)) - frozenset(_stems(theirs))
+
+
+def _stems(text: str) -> list[str]:
+    return [
+        word if len(word) == 1 else word.lower()[:STEM]
+        for word in WORD.findall(text)
+        if word.lower() not in COMMON
+    ]
+
+
+def _nearest(text: str, place: int, own: frozenset[str], others: frozenset[str]) -> int:
+    """1 or 2 for the set of which a word stands nearest before a place, in its sentence; 0 for neither."""
+    before = WORD.findall(HOLE.sub(" ", text[:place]))[-REACH:]
+    for word in reversed(before):
+        if word in (".", ";", "!", "?"):
+            return 0
+        stem = word if len(word) == 1 else word.lower()[:STEM]
+        if stem in own or stem in others:
+            return 1 if stem in own else 2
+    return 0
+
+
+def translated_otherwise(problem: Problem, found: ProblemTranslation, language: str) -> Iterator[str]:
+    """A sentence with its place for holes that a translation doubles or leaves out, and for numbers that are others in it."""
+    pairs: list[tuple[int, str, str, str]] = [
+        (1, "the alt text", problem.figure_alt, found.alt),
+        (1, "the statement", problem.statement, found.statement),
+    ]
+    for part in problem.parts:
+        if (theirs := found.parts.get(part.id)) is not None:
+            pairs.append((theirs.line, f"part {part.id}", part.text, theirs.text))
+            texts = {each.letter: each.text for each in theirs.options}
+            pairs += [
+                (
+                    theirs.line,
+                    f"option {each.letter} of part {part.id}",
+                    each.text,
+                    texts.get(each.letter, ""),
+                )
+                for each in part.options
+            ]
+    pairs += [
+        (found.lines.get(text, 1), f"the translation of {text[:40]!r}", text, theirs)
+        for text, theirs in found.texts.items()
+    ]
+    givens = {given.symbol: given for given in problem.givens}
+    for line, what, original, theirs in pairs:
+        if not original or not theirs:
+            continue
+        mine = AuthorText(found.path, what, theirs, line, language)
+        yield from _other_holes(mine, original, givens)
+        yield from _other_numbers(mine, AuthorText(problem.path, what, original, 1))
+
+
+def _other_holes(mine: AuthorText, original: str, givens: Mapping[str, Given]) -> Iterator[str]:
+    ours, theirs = _order(original), _order(mine.text)
+    counted, counted_there = Counter(ours), Counter(theirs)
+    if set(ours) != set(theirs):
+        return  # which is complained of already
+    if counted != counted_there:
+        named = ", ".join(
+            f"{{{{{hole}}}}} {counted_there[hole]} times, the original {counted[hole]}"
+            for hole in sorted(counted)
+            if counted[hole] != counted_there[hole]
+        )
+        yield f"{mine.where(0, mine.text)}: {mine.what} has {named}: one is missing, or stands in the place of another"
+    elif ours != theirs:
+        for one, other in combinations(dict.fromkeys(ours), 2):
+            if one not in givens or other not in givens:
+                continue
+            if givens[one].unit.dimension != givens[other].unit.dimension:
+                continue
+            pair = [hole for hole in ours if hole in (one, other)]
+            if pair != [hole for hole in theirs if hole in (one, other)]:
+                place = next(
+                    each.start()
+                    for each in HOLE.finditer(mine.text)
+                    if each["formula"].strip() in (one, other)
+                )
+                yield (
+                    f"{mine.where(place, mine.text)}: {mine.what} has {{{{{one}}}}} and {{{{{other}}}}} in another order than the "
+                    "original, and both measure the same: exchange them, or let the words keep the order"
+                )
+
+
+def _order(text: str) -> list[str]:
+    return [each["formula"].strip() for each in HOLE.finditer(text)]
+
+
+def _other_numbers(mine: AuthorText, original: AuthorText) -> Iterator[str]:
+    """Numbers of two figures and more, or with a unit, that the original does not have."""
+    known = {value for each in typed_numbers(original.without_tex) for value in each.values}
+    for number in typed_numbers(mine.without_tex, mine.language):
+        if known.isdisjoint(number.values) and (number.unit is not None and number.text[:1].isdigit()):
+            yield (
+                f"{mine.where(number.start)}: {mine.what} says {number.text!r}, a number that the original does not have"
+            )
