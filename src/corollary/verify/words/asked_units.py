@@ -27,7 +27,7 @@ BRACKETED = re.compile(r"[\[(](?=[A-Za-zµΩ°%])")
 HOW_MANY = re.compile(r"\b(?:how many|wie viele|wieviele|hvor mange)(?= )", re.IGNORECASE)
 BLANK_ANSWER = re.compile(r"(?:_{2,}|…|\.\.\.|=\s*\\?\?)\s*\$?(?= ?)")
 PERMITTED = re.compile(
-    r"\b(?:may|can|or|also|if you like|will do|kannst|darfst|können|oder|auch|kan|eller|også|such as)\b",
+    r"\b(?:you (?:may|can)|or|also|if you like|will do|du kannst|darfst|können sie|oder|auch|du kan|eller|også|such as)\b",
     re.IGNORECASE,
 )
 PERCENTAGE = re.compile(
@@ -58,7 +58,7 @@ def asked_units(text: str) -> Iterator[AskedUnit]:
             words = text[found.end() : end].replace(INLINE, "").strip(" $")
             sentence = re.split(r"[.;?!\n](?:\s|$)", text[: found.start()])[-1]
             rest = re.split(r"[.;?!\n)](?:\s|$)", text[end:])[0]
-            if PERMITTED.search(sentence) or PERMITTED.search(rest[:30]) or PERMITTED.search(found[0]):
+            if PERMITTED.search(sentence[-30:]) or PERMITTED.search(rest[:30]) or PERMITTED.search(found[0]):
                 continue
             if pattern is BRACKETED and text[end : end + 1] not in (")", "]"):
                 continue

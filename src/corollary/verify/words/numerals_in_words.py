@@ -16,7 +16,7 @@ NUMERAL = re.compile(
     r"(?P<power>\s?[·×*]\s?10(?:\^?\{?(?P<ten>[-+]?\d+)\}?|(?P<raised>[⁻⁺]?[⁰¹²³⁴-⁹]+))|[eE](?P<e>[-+]?\d+))?"
 )
 WORD_UNIT = r"[A-Za-zµμΩΩ°%ℓÅåøöéè]"
-AFTER = re.compile(rf"(?P<gap>\$? ?[{INLINE}]? ?|-)(?P<unit>{WORD_UNIT}[^,;:!?\n$\"|\u25a1]{{0,40}})")
+AFTER = re.compile(rf"(?P<gap> ?\$? ?[{INLINE}]? ?|-)(?P<unit>{WORD_UNIT}[^,;:!?\n$\"|\[\]\u25a1]{{0,40}})")
 LOOK_LIKE_UNITS = """
 a as at in is am an to of e d u t de da der die das den en et er og und i im um au the and or on per men mal ha pm l
 """
@@ -33,6 +33,7 @@ TENS = {
 }
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 SPOKEN_UNITS = (
+    (re.compile(r"\bper time\b|\bi timen\b"), "per hour"),
     (re.compile(r"\b(?:square|Quadrat-?|kvadrat-?)\s?([A-Za-z]+)", re.IGNORECASE), r"\1^2"),
     (re.compile(r"\b(?:cubic|Kubik-?|kubikk-?)\s?([A-Za-z]+)", re.IGNORECASE), r"\1^3"),
     (re.compile(r"\bper ?cent\b"), "%"),

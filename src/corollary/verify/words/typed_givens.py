@@ -22,7 +22,7 @@ EXAMPLE = re.compile(
 )
 COUNTED = re.compile(
     r"(?:section|exercise|example|figure|fig\.|eq\.|equation|chapter|problem|parts?|table|step|experiment|no\.|page|number|"
-    r"abschnitt|aufgabe|abbildung|gleichung|kapitel|teil|tabelle|nummer|avsnitt|oppgave|figur|likning|del|side|and|to|,|\()\s*$",
+    r"abschnitt|aufgabe|abbildung|gleichung|kapitel|teil|tabelle|nummer|avsnitt|oppgave|figur|likning|del|side)\s*$",
     re.IGNORECASE,
 )
 SMALL_WORDS = """
@@ -33,6 +33,9 @@ og eller men når mens som på i til fra for med ved over mot etter før den det
 """
 FOLLOWS = frozenset(SMALL_WORDS.split())
 """Words that may follow a quantity without a unit; before another word a number counts things."""
+LISTED = re.compile(r"\d\)?\s*(?:,|and|to|und|bis|og|til|-|–)\s*$")
+CODE_BEFORE = re.compile(r"\b[A-Z][A-Z0-9]+[ -]?$")
+"""DN 50, ISO 2768: the name of a part or of a norm."""
 LETTER_BEFORE = re.compile(
     r"(?P<letter>\\?[A-Za-z][A-Za-z0-9]*(?:_\{?[A-Za-z0-9,]+\}?)?)\s*\$?\s*(?:=|≈|\\approx|:=)\s*\$?\s*-?$"
 )
@@ -120,17 +123,22 @@ def _bare_quantity(number: TypedNumber, given: Given, each: AuthorText) -> bool:
     row = before.rpartition("\n")[2]
     if number.in_formula or (not row.strip(" (-*") and re.match(r"[.)]", after)):
         return False
-    if COUNTED.search(before) and not re.search(r"(?:to|and)\s*$", before):
+    if COUNTED.search(before) or before.endswith("(") or LISTED.search(before):
+        return False
+    if CODE_BEFORE.search(before):
         return False
     value = number.values[0]
     if 1500 <= value <= 2100 and value == int(value) and number.figures == 4:
         return False
     noun = NOUN.match(after)
     named = _meaning_words(given.meaning)
+    last = NOUN.search(before.rstrip().rpartition(" ")[2])
+    if last is not None and last[0].lower()[:5] == _quantity(given.meaning) and given.unit.dimension != ONE:
+        return True  # a crate of mass 80
     if noun is not None and noun[0].lower() not in FOLLOWS:
         return noun[0].lower()[:5] in named and given.unit.dimension == ONE
     near = {word.lower()[:5] for word in NOUN.findall(before[-30:])}
-    if near & named and re.search(r"(?:of|is|von|ist|på|er|av|with|mit|med)\s*$", before):
+    if _quantity(given.meaning) in near and re.search(r"(?:of|is|von|ist|på|er|av|with|mit|med)\s*$", before):
         return True
     follows = re.match(r"[A-Za-zÀ-ÿ]+", after)
     if follows is not None and follows[0].lower() not in FOLLOWS:
@@ -138,6 +146,12 @@ def _bare_quantity(number: TypedNumber, given: Given, each: AuthorText) -> bool:
     return len(re.sub(r"\s", "", number.text)) > 1 and (
         number.figures > 1 or "." in number.text or "," in number.text
     )
+
+
+def _quantity(meaning: str) -> str:
+    """The first noun of a meaning, which is the quantity: mass of the crate."""
+    noun = NOUN.search(meaning)
+    return noun[0].lower()[:5] if noun is not None else ""
 
 
 @lru_cache(maxsize=512)
