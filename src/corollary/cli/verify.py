@@ -96,8 +96,6 @@ def run(
         _complaints(found, broken)
         _notes({"sets": [note for each in sets for note in each.notes]}, found, verbose)
         _verdict(found, broken, time.perf_counter() - start)
-        if line := unread_of_all([(each.code, each.unread) for each in found]):
-            print(line)
     return HOLDS if ok else FAILS
 
 
@@ -226,6 +224,8 @@ def _verdict(found: list[Checked], broken: list[str], seconds: float) -> None:
     total = sum(sum(each.checks.values()) for each in found)
     bad = [each.code for each in found if not each.ok]
     out = console()
+    if line := unread_of_all([(each.code, each.unread) for each in found]):
+        print(f"\n{line}", flush=True)
     out.print()
     if every:
         proven, sampled = (sum(one.outcome == outcome for one in every) for outcome in ("proven", "sampled"))
