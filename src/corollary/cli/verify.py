@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from functools import partial
@@ -22,7 +23,7 @@ from corollary.problem.problem_set import bank_of_set, find_set, set_names
 from corollary.problem.reader import read_problem
 from corollary.verify.checked import Checked
 from corollary.verify.cluster import on_cluster
-from corollary.verify.obligations.obligation import Settled
+from corollary.verify.obligations.obligation import REDRAWN, Settled
 from corollary.verify.sets import CheckedSet, check_set
 from corollary.verify.side_by_side import verify_each
 from corollary.verify.unchanged import verify_changed
@@ -228,10 +229,12 @@ def _verdict(found: list[Checked], broken: list[str], seconds: float) -> None:
         print(f"\n{line}", flush=True)
     out.print()
     if every:
-        proven, sampled = (sum(one.outcome == outcome for one in every) for outcome in ("proven", "sampled"))
+        count = Counter(one.outcome for one in every)
+        redrawn = sum(one.by.startswith(REDRAWN) for one in every)
         out.print(
-            f"{counted(len(every), 'obligation')}: {proven} proven for all numbers, {sampled} sampled, "
-            f"{counted(len(every) - proven - sampled, 'counter-example')}"
+            f"{counted(len(every), 'obligation')}: {count['proven']} proven for all numbers, {count['sampled']} sampled"
+            + (f" ({redrawn} of these checked whenever numbers are dealt)" if redrawn else "")
+            + f", {count['undecided']} undecided, {counted(count['counter-example'], 'counter-example')}"
         )
     out.print(f"{counted(len(found), 'problem')}, {total:,} checks in {seconds:.1f} s")
     if not bad and not broken:

@@ -56,9 +56,14 @@ def claims(
                 raise failing(f"always(…): {error}", line) from error
 
 
-def _claimed(condition: Boolean | bool, known: Known) -> tuple[Relation, ...]:
+def _claimed(condition: Boolean | bool | str, known: Known) -> tuple[Relation, ...]:
+    """None of a condition that sympy takes for true of all numbers: which of its letters it has cancelled cannot be seen any more."""
+    if isinstance(condition, str):
+        return (known.relation_in_givens(condition),)
     holds = known.in_givens_alone(condition)
-    if holds in (sympy.true, sympy.false):
+    if holds == sympy.true:
+        return ()
+    if holds == sympy.false:
         one = Number(Fraction(1))
-        return (Relation("=" if holds == sympy.true else "!=", one, one),)
+        return (Relation("!=", one, one),)
     return relations(holds)

@@ -58,7 +58,7 @@ class Always:
     """What the statement says in words of every variant, as a condition on what is given and found."""
 
     statement: Statement
-    condition: Boolean | bool
+    condition: Boolean | bool | str
 
 
 StatedForces = Forces["sympy.Expr", "Law"]

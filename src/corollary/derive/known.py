@@ -16,9 +16,11 @@ from corollary.derive.logarithms import logarithms_together
 from corollary.derive.signs import symbol_of
 from corollary.derive.solution import ClosedForms, SolvedFunction, SupposedValue
 from corollary.formula.ast import Expr, Number, Relation, names
+from corollary.formula.ast import substitute as put_in
 from corollary.formula.ball import RationalPi, Undefined, evaluate, holds
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import NoTree, tree
+from corollary.formula.syntax import author_formula
 from corollary.laws.law import as_expression, substitute
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
@@ -184,6 +186,16 @@ class Known:
             names = ", ".join(sorted(map(str, strange)))
             raise ValueError(f"{names} is neither given nor found before by a formula")
         return found
+
+    def relation_in_givens(self, text: str) -> Relation:
+        """A relation as it is written, of which nothing is simplified, with all that has been found put in. Raises ValueError."""
+        stated = author_formula(text)
+        found = {symbol.name: tree(formula) for symbol, formula in (self.formulas | self.aside).items()}
+        if not isinstance(stated, Relation):
+            raise ValueError(f"{text} compares nothing; write a relation with <, <=, >, >= or !=")
+        if strange := names(stated) - found.keys() - {"pi"}:
+            raise ValueError(f"{', '.join(sorted(strange))} is neither given nor found before by a formula")
+        return Relation(stated.sign, put_in(stated.left, found), put_in(stated.right, found))
 
     def tree_in_givens(self, expression: object) -> Expr:
         return tree(self.in_givens(as_expression(expression)))

@@ -26,6 +26,9 @@ def at(because: str = "", /, **values: object) -> Special:
     return Special(Statement("", because, line_of_word()), here)
 
 
-def always(words: str, condition: Boolean | bool) -> Always:
-    """Claims of every variant what the statement says in words: `always("the ball bounces back", u < 0)`. `verify` proves it."""
+def always(words: str, condition: Boolean | bool | str) -> Always:
+    """Claims of every variant what the statement says in words: `always("the ball bounces back", u < 0)`. `verify` proves it.
+
+    A condition in quotes, `"(a - b)/(a - b) > 0"`, is taken as it stands; from one in Python sympy has cancelled what it can.
+    """
     return Always(Statement("", words, line_of_word()), condition)

@@ -13,7 +13,7 @@ from corollary.render.page import page
 from corollary.verify.checked import Checked
 from corollary.verify.over_the_grid import AnswerPlot
 
-OUTCOMES = ("counter-example", "sampled", "proven")
+OUTCOMES = ("counter-example", "undecided", "sampled", "proven")
 """What an instructor reads first comes first."""
 
 
@@ -49,6 +49,6 @@ def proofs_page(problems: Sequence[VerifiedProblem]) -> str:
         problems=problems,
         outcomes=OUTCOMES,
         table=table,
-        totals=[sum(column) for column in zip(*table.values(), strict=True)] or [0, 0, 0],
+        totals=[sum(column) for column in zip(*table.values(), strict=True)] or [0] * len(OUTCOMES),
         ok=all(each.checked.ok for each in problems),
     )

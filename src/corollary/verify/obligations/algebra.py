@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
 from corollary.formula.ast import Call, Expr, Name, Relation
-from corollary.formula.ball import Ball, evaluate
+from corollary.formula.ball import evaluate
 from corollary.formula.errors import Undefined
+from corollary.formula.rational_pi import RationalPi
 from corollary.polynomials.polynomial import TooLarge
 from corollary.polynomials.rational_function import RationalFunction
 from corollary.polynomials.signs import Bounds
 from corollary.polynomials.translate import Translation, sign_by_factors
 from corollary.verify.obligations.box import PI, Box
-from corollary.verify.obligations.obligation import Equations
 
 MOST_TERMS = 120  # of a product: factors of more take longer than all other provers together
 
@@ -43,14 +42,15 @@ class Algebra:
             if meaning[0] in ("sin", "cos") and self.translation.known[name] == (None, None):
                 bounds = Fraction(-1), Fraction(1)
                 if (axis := self.box.axes.get(meaning[2])) is not None:
-                    low, high = (float(Fraction(meaning[1]) * each) for each in axis.bounds)
-                    angle = Ball((low + high) / 2, (high - low) / 2 * (1 + 1e-9) + 1e-12)
-                    ball = evaluate(Call(meaning[0], (Name("x"),)), {"x": angle}, 64)
+                    ends = [Fraction(meaning[1]) * each for each in axis.bounds]
+                    low, high = (evaluate(Name("x"), {"x": RationalPi(each)}, 64) for each in ends)
+                    ball = evaluate(Call(meaning[0], (Name("x"),)), {"x": low.union(high)}, 64)
                     bounds = _below(ball.lower()), -_below(-ball.upper())
                 self.translation.known[name] = self.translation.seen[name] = bounds
 
     def holds(self, need: Relation) -> bool:
-        """Whether the signs of the factors show the relation, for all numbers of the box."""
+        """Whether the signs of the factors show the relation, for all numbers of the box for which both sides have a value: a factor that
+        cancels is not seen."""
         try:
             gap = self.gap(need)
         except (TooLarge, Undefined, KeyError):
@@ -64,21 +64,6 @@ class Algebra:
 
     def sign(self, polynomial: Any) -> int:
         return sign_by_factors(polynomial, self.translation.known) if len(polynomial) <= MOST_TERMS else 0
-
-
-def linear(box: Box, equations: Equations) -> bool:
-    """Whether the equations are linear in their unknowns: then the root that algebra finds is the only one."""
-    try:
-        algebra = Algebra(box, equations.laws, map(Name, equations.unknowns))
-        tops = [algebra.gap(each).top for each in equations.laws]
-    except (TooLarge, Undefined, KeyError):
-        return False
-    context, unknowns = algebra.translation.context, set(equations.unknowns)
-    for meaning in algebra.translation.meanings:  # a root or a sine of an unknown is not linear in it
-        if unknowns & {word for each in meaning for word in re.findall(r"[^\W\d]\w*", str(each))}:
-            return False
-    places = [place for place, name in enumerate(context.names()) if name in unknowns]
-    return all(sum(int(powers[place]) for place in places) <= 1 for top in tops for powers in top.to_dict())
 
 
 def _below(ball: Any) -> Fraction:

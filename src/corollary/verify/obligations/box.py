@@ -12,6 +12,8 @@ from functools import cached_property
 import numpy as np
 
 from corollary.formula.ast import Relation, names
+from corollary.formula.ball import holds
+from corollary.formula.errors import Undefined
 from corollary.formula.rational_pi import RationalPi
 from corollary.problem.given import Given
 from corollary.problem.interval_filter import GivenAtPoints, Interval, holding
@@ -86,6 +88,10 @@ class Box:
             )
         return letters, found
 
+    def exact(self, places: Mapping[str, int]) -> dict[str, RationalPi]:
+        """One point, exactly."""
+        return {name: self.axes[name].exact[place] for name, place in places.items()}
+
     def points(self, places: Mapping[str, np.ndarray]) -> dict[str, GivenAtPoints]:
         """The givens at these places of their axes."""
         return {name: GivenAtPoints(self.axes[name].exact, at) for name, at in places.items()}
@@ -95,7 +101,7 @@ class Box:
         points = self.points(places)
         admissible = np.ones(len(next(iter(places.values()))), dtype=bool)
         for each in conditions:
-            admissible &= holding(each, points)
+            admissible &= holding(each, points) if names(each) & points.keys() else always_true(each)
         return admissible
 
     def intervals(self, low: Mapping[str, np.ndarray], high: Mapping[str, np.ndarray]) -> dict[str, Interval]:
@@ -121,3 +127,11 @@ class Box:
             name: number(self.axes[name].given, self.axes[name].given.grid[self.axes[name].order[place]])
             for name, place in places.items()
         }
+
+
+def always_true(relation: Relation) -> bool:
+    """Of a relation among numbers alone."""
+    try:
+        return bool(holds(relation, {}))
+    except Undefined:
+        return False

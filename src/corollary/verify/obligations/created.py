@@ -29,7 +29,11 @@ def not_created(solution: Solution) -> Iterator[Obligation]:
             if not before or not after or any(names(tree) - known for tree in every):
                 continue
             masses = dict.fromkeys(substitute(mass, found) for mass, _ in (*before, *after))
-            needs = tuple((Relation(">", mass, ZERO),) for mass in masses if not isinstance(mass, Number))
+            needs = tuple(
+                (Relation(">", mass, ZERO),)
+                for mass in masses
+                if not (isinstance(mass, Number) and mass.value > 0)
+            )
             line = find.statement.line
             yield Obligation("not created", f"the masses around {find.names[0]} are positive", line, needs)
             if len(before) > 1:

@@ -1,26 +1,32 @@
-"""Claims that laws hold identically for what was found: settled by whoever puts the laws back."""
+"""Claims that laws hold identically for what was found: put back by algebra, and never without a value."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from corollary.derive.solution import Solution
+from corollary.formula.ast import Expr, substitute
 from corollary.formula.operators import has_operators
-from corollary.verify.obligations.obligation import Settled
+from corollary.verify.obligations.obligation import Obligation
+from corollary.verify.obligations.values import needed
 
 
-def laws_hold(solution: Solution, file: str, complaints: list[str]) -> Iterator[Settled]:
-    """One claim for each step, where `complaints` say which laws of `file` do not vanish when all that was found is put in."""
-    for each in [each.solution for each in solution.regimes] or [solution]:
-        for find in each.unknowns:
-            if not find.laws:
-                continue
-            claim, line = f"the laws of {', '.join(find.names)} hold for what is found", find.statement.line
-            if any(sentence.startswith(f"{file}:{line}:") for sentence in complaints):
-                yield Settled("laws hold", claim, line, "counter-example", "algebra")
-            elif find.in_givens is None:
-                yield Settled("laws hold", claim, line, "sampled", "it rests on a simulation")
-            elif any(has_operators(relation) for law in find.laws for relation in law.here):
-                yield Settled("laws hold", claim, line, "sampled", "a differential equation, tried at points")
-            else:
-                yield Settled("laws hold", claim, line, "proven", "algebra")
+def laws_hold(solution: Solution) -> Iterator[Obligation]:
+    """One claim for each step. That its laws vanish is found by whoever puts them back; here, that they have a value."""
+    found: dict[str, Expr] = {}
+    for find in solution.unknowns:
+        if find.in_givens is not None:
+            found |= zip(find.names, find.in_givens, strict=True)
+        found |= find.aside
+        if not find.laws:
+            continue
+        claim, line = f"the laws of {', '.join(find.names)} hold for what is found", find.statement.line
+        here = [relation for law in find.laws for relation in law.here]
+        if find.in_givens is None:
+            yield Obligation("laws hold", claim, line, open="it rests on a simulation")
+        elif any(map(has_operators, here)):
+            yield Obligation("laws hold", claim, line, open="a differential equation, tried at points")
+        else:
+            sides = [substitute(side, found) for each in here for side in (each.left, each.right)]
+            needs = dict.fromkeys(need for side in sides for need in needed(side))
+            yield Obligation("laws hold", claim, line, tuple((need,) for need in needs))

@@ -10,6 +10,7 @@ from corollary.formula.operators import has_operators
 from corollary.verify.obligations.obligation import Clause, Equations, Obligation, opposite
 
 Found = Mapping[str, Expr]
+NOT_FOUND = "that the algebra system has found all roots is not proven"
 
 
 def only_roots(solution: Solution) -> Iterator[Obligation]:
@@ -27,29 +28,32 @@ def _only_root(find: Unknown, found: Found) -> Obligation:
     claim = f"{', '.join(find.names)} is the only admissible root of its laws"
     line = find.statement.line
     if find.in_givens is None:
-        return Obligation("one root", claim, line, open="it rests on a simulation")
+        return Obligation("one root", claim, line, open="it rests on a simulation", tried=False)
     if find.where is None:
         return Obligation("one root", claim, line, open="its condition is no relation")
     here = [relation for law in find.laws for relation in law.here]
     meant = dict(zip(find.names, find.in_givens, strict=True)) | dict(find.aside)
     needs: list[Clause] = [(_put(each, meant | dict(found)),) for each in find.where]
     rejected = [each.values for each in find.others if each.worded]
+    others = [each.values for each in find.others if not each.worded and each.values]
+    partial = [_not_admitted(other, meant, find.where, found) for other in others]
     equations = None
     if not any(map(has_operators, here)) and all(rejected):
         where = [_put(each, found) for each in find.where]
-        equations = Equations(
-            tuple(_put(each, found) for each in here), tuple(meant), meant, tuple(rejected), tuple(where)
-        )
-    why = ""
-    for other in (each for each in find.others if not each.worded):
-        if find.where and other.values:
-            meaning = dict(other.values) | dict(found)
-            needs.append(
-                (*_same(other.values, meant), *(opposite(_put(each, meaning)) for each in find.where))
-            )
-        else:
-            why = "whether another root is real, or which condition it breaks, was tried at four draws"
-    return Obligation("one root", claim, line, tuple(needs), equations, open=why)
+        laws = tuple(_put(each, found) for each in here)
+        equations = Equations(laws, tuple(meant), meant, tuple(rejected), tuple(where), tuple(others))
+    return Obligation(
+        "one root", claim, line, tuple(needs), equations, tuple(partial), open="" if equations else NOT_FOUND
+    )
+
+
+def _not_admitted(other: Found, meant: Found, where: tuple[Relation, ...], found: Found) -> Clause:
+    """That another root is the one that is meant, breaks a condition, or has no value: a relation that is never true says so."""
+    broken = tuple(opposite(_put(each, dict(other) | dict(found))) for each in where)
+    no_value = (
+        () if where and len(other) == 1 else tuple(Relation("!=", each, each) for each in other.values())
+    )
+    return (*_same(other, meant), *broken, *no_value)
 
 
 def _same(other: Found, meant: Found) -> Clause:

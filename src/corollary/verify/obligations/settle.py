@@ -4,31 +4,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from corollary.derive.solution import Solution
-from corollary.formula.ast import Relation
+from corollary.formula.ast import Expr, Relation
+from corollary.formula.rational_pi import RationalPi
 from corollary.formula.text import text
-from corollary.verify.obligations.algebra import Algebra, linear
+from corollary.problem.sampling import sample
+from corollary.problem.variant import Variant, number
+from corollary.verify.obligations.algebra import Algebra
 from corollary.verify.obligations.box import Box
 from corollary.verify.obligations.created import not_created
+from corollary.verify.obligations.laws import laws_hold
 from corollary.verify.obligations.mistakes import apart, differing
-from corollary.verify.obligations.nonlinear import installed, no_exception, only_root
-from corollary.verify.obligations.obligation import Clause, Obligation, Settled, opposite
+from corollary.verify.obligations.nonlinear import STEPS, installed, no_exception, only_root
+from corollary.verify.obligations.obligation import REDRAWN, Clause, Obligation, Settled, opposite
 from corollary.verify.obligations.regimes import one_case
-from corollary.verify.obligations.roots import only_roots
+from corollary.verify.obligations.roots import NOT_FOUND, only_roots
 from corollary.verify.obligations.signs import always_so, of_claimed_sign
 from corollary.verify.obligations.subdivision import (
     MOST_BOXES,
     any_holds,
-    none_holds,
+    has_value,
     subdivide,
     surely_fails,
+    verdict,
 )
-from corollary.verify.obligations.values import existing, not_zero
+from corollary.verify.obligations.uniqueness import another_root, fulfils, leading
+from corollary.verify.obligations.values import existing, needed, not_zero
 
 POINTS = 256  # tried first: most of what does not hold fails there, and no prover has to find it
 FEW_BOXES = 3_000  # before z3 is asked, which takes longer
@@ -37,8 +44,9 @@ SEED = 12
 
 
 def obligations(solution: Solution) -> Iterator[Obligation]:
-    """All that a solved derivation must fulfil, but for its laws."""
+    """All that a solved derivation must fulfil."""
     yield from one_case(solution)
+    yield from laws_hold(solution)
     yield from existing(solution)
     yield from only_roots(solution)
     yield from not_created(solution)
@@ -49,37 +57,45 @@ def obligations(solution: Solution) -> Iterator[Obligation]:
     yield from differing(solution)
 
 
-def settled(solution: Solution, sampled: str) -> Iterator[Settled]:
-    """Each obligation settled; `sampled` says what was tried besides. In a derivation with cases, each within its own."""
+def settled(solution: Solution, variants: int) -> Iterator[Settled]:
+    """Each obligation settled; what is not proven is tried with so many variants. In a derivation with cases, each within its own."""
     if not solution.regimes:
-        yield from _of_one(solution, (), sampled)
+        yield from _of_one(solution, (), variants)
         return
-    yield from _of_one(solution, (), sampled, one_case)
+    yield from _of_one(solution, (), variants, one_case)
     for each in solution.regimes:
-        yield from _of_one(each.solution, each.conditions, sampled)
+        yield from _of_one(each.solution, each.conditions, variants)
 
 
 def _of_one(
     solution: Solution,
     conditions: tuple[Relation, ...],
-    sampled: str,
+    variants: int,
     claims: Callable[[Solution], Iterator[Obligation]] = obligations,
 ) -> Iterator[Settled]:
     try:
-        settling = Settling(Box(solution.problem, conditions), sampled)
-    except ValueError:
+        settling = Settling(Box(solution.problem, conditions), variants)
+    except ValueError as error:
         for each in claims(solution):
-            yield Settled(each.kind, each.claim, each.line, "sampled", sampled)
+            yield Settled(each.kind, each.claim, each.line, "undecided", str(error))
         return
     yield from map(settling.settle, claims(solution))
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """A grid point that keeps the conditions, and the clause that does not hold there: a claim, or what it needs to have a value."""
+
+    point: Mapping[str, int]
+    need: Clause
 
 
 class Settling:
     """The provers, on one box."""
 
-    def __init__(self, box: Box, sampled: str) -> None:
-        self.box, self.sampled = box, sampled
-        self.proven: dict[Clause, str] = {}
+    def __init__(self, box: Box, variants: int = 100) -> None:
+        self.box, self.variants = box, variants
+        self.found: dict[tuple[Clause, bool, bool], str | Failure] = {}
 
     @cached_property
     def points(self) -> dict[str, np.ndarray]:
@@ -89,41 +105,103 @@ class Settling:
         admissible = self.box.keeping(self.box.conditions, places) if places else None
         return {name: at[admissible] for name, at in places.items()}
 
+    @cached_property
+    def samples(self) -> list[Variant]:
+        """Variants that keep the conditions."""
+        drawn = sample(self.box.problem, self.variants)
+        return [each for each in drawn if all(verdict((one,), each.exact) for one in self.box.conditions)]
+
+    @cached_property
+    def empty(self) -> bool:
+        """Whether no numbers are known that keep the conditions: of these everything could be proven."""
+        return not any(map(len, self.points.values())) and not self.samples
+
     def settle(self, each: Obligation) -> Settled:
         """The first prover that decides."""
+        if self.box.conditions and self.empty:
+            return Settled(each.kind, each.claim, each.line, "undecided", "no numbers keep the conditions")
         if each.kind == "mistakes differ":
             return self._differ(each)
-        if each.equations is not None and not each.open and linear(self.box, each.equations):
-            each = Obligation(each.kind, each.claim, each.line, each.needs)
-        elif each.equations is not None and installed() and only_root(self.box, each.equations):
-            each = Obligation(each.kind, each.claim, each.line, each.needs)
-            self.proven[()] = "z3"
-            return self._needs(each, ["z3"])
-        return self._needs(each, [])
-
-    def _needs(self, each: Obligation, ways: list[str]) -> Settled:
-        if each.open and not each.needs:
-            return self._unsettled(each, each.open)
+        if each.open and not each.needs and not each.partial:
+            return self._open(each)
+        ways = list[str]()
         for need in each.needs:
-            if need not in self.proven:
-                found = self._prove(need, each.redrawn)
-                if isinstance(found, dict):
-                    return self._broken(each, need, found)
-                if not found:
-                    return self._unsettled(each, self.sampled)
-                self.proven[need] = found
-            ways.append(self.proven[need])
+            if (failed := self._settle_need(each, need, ways)) is not None:
+                return failed
+        if each.kind == "one root" and (failed := self._settle_root(each, ways)) is not None:
+            return failed
         if each.open:
-            return self._unsettled(each, each.open)
-        order = ("enumeration", "z3", "subdivision", "algebra")
-        return Settled(
-            each.kind, each.claim, each.line, "proven", next((way for way in order if way in ways), "algebra")
-        )
+            return self._open(each)
+        way = next((way for way in ("enumeration", "z3", "subdivision") if way in ways), "algebra")
+        return Settled(each.kind, each.claim, each.line, "proven", way)
 
-    def _prove(self, need: Clause, redrawn: bool) -> str | dict[str, int]:
-        """The prover; a point at which it fails; or "" where nothing decides."""
+    def _settle_need(self, each: Obligation, need: Clause, ways: list[str]) -> Settled | None:
+        """How the obligation is settled where this need is not proven."""
+        found = self.prove(need, each.redrawn)
+        if isinstance(found, Failure) and not (each.kind == "value exists" and self._has_values(each, found)):
+            return self._broken(each, found)
+        if isinstance(found, Failure) or not found:
+            return self._unsettled(each)
+        ways.append(found)
+        return None
+
+    def _has_values(self, each: Obligation, failure: Failure) -> bool:
+        """Whether all formulas have a value though what is needed in general fails: a cube of a negative number whose exponent is given."""
+        values = self.box.exact(dict.fromkeys(self.box.axes, 0) | dict(failure.point))
+        return all(has_value(tree, values) is not False for tree in each.formulas)
+
+    def _settle_root(self, each: Obligation, ways: list[str]) -> Settled | None:
+        """How it is settled where another root may fulfil laws and conditions; None where there is none."""
+        for place, need in enumerate(each.partial):
+            found = self.prove(need, partial=True)
+            if isinstance(found, Failure) and each.equations is not None:
+                values = self._values(found.point)
+                laws = (*each.equations.laws, *each.equations.where)
+                if values is not None and fulfils(laws, each.equations.others[place], values):
+                    return self._broken(each, found)
+        equations = each.equations
+        if equations is None:
+            return None
+        clauses = leading(self.box, equations)
+        proven = [self.prove(need, partial=True) for need in clauses or ()]
+        for found in proven:
+            if isinstance(found, Failure) and (values := self._values(found.point)) is not None:
+                other = another_root(equations, values)
+                if other is not None:
+                    return self._broken(each, found)
+        proven += [self.prove(need, partial=True) for need in each.partial]
+        if clauses is not None and all(isinstance(found, str) and found for found in proven):
+            ways += [found for found in proven if isinstance(found, str)]
+            return None
+        trees = [tree for root in (equations.meant, *equations.rejected) for tree in root.values()]
+        if installed() and only_root(self.box, equations) and self._have_values(trees):
+            ways.append("z3")
+            return None
+        return self._unsettled(each, NOT_FOUND)
+
+    def _values(self, point: Mapping[str, int]) -> dict[str, RationalPi] | None:
+        """All givens at an admissible point with these places; None where none is found."""
+        fixed = {name: self.box.axes[name].exact[place] for name, place in point.items()}
+        for each in (
+            *(variant.exact for variant in self.samples),
+            self.box.exact(dict.fromkeys(self.box.axes, 0)),
+        ):
+            values = {**each, **fixed}
+            if all(verdict((one,), values) for one in self.box.conditions):
+                return values
+        return None
+
+    def prove(self, need: Clause, redrawn: bool = False, partial: bool = False) -> str | Failure:
+        """The prover that shows the clause for all numbers of the box; where it fails; or "" where nothing decides. `partial`: the clause
+        may have no value, and then says nothing."""
+        key = need, redrawn, partial
+        if key not in self.found:
+            self.found[key] = self._prove(need, redrawn, partial)
+        return self.found[key]
+
+    def _prove(self, need: Clause, redrawn: bool, partial: bool) -> str | Failure:
         algebra = Algebra(self.box, need)
-        if any(map(algebra.holds, need)):
+        if any(algebra.holds(each) and (partial or self._has_value((each,))) for each in need):
             return "algebra"
         letters, _ = self.box.tied(need)
         if letters and len(self.points[letters[0]]):
@@ -131,54 +209,120 @@ class Settling:
             failing = surely_fails(need, self.box, places)
             if failing.any():
                 first = int(np.argmax(failing))
-                return {name: int(at[first]) for name, at in places.items()}
+                return Failure({name: int(at[first]) for name, at in places.items()}, need)
+        if not partial and not redrawn and len(need) == 1 and (missing := self._no_value(need)) is not None:
+            return missing
         for most in (FEW_BOXES, MOST_BOXES):
-            divided = subdivide(self.box, need, most)
+            divided = subdivide(self.box, need, most, partial)
             if divided is not None:
-                return (
-                    (divided.failing or {})
-                    if not divided.proven
-                    else "enumeration"
-                    if divided.points
-                    else "subdivision"
-                )
+                if not divided.proven:
+                    return Failure(divided.failing or {}, need)
+                return "enumeration" if divided.points else "subdivision"
             if most == FEW_BOXES and installed():
-                found = (
-                    no_exception(self.box, need, REDRAWN_STEPS) if redrawn else no_exception(self.box, need)
-                )
-                if found is True:
+                found = no_exception(self.box, need, REDRAWN_STEPS if redrawn else STEPS)
+                if found is True and (partial or self._has_value(need)):
                     return "z3"
-                if isinstance(found, dict) and self._fails(need, found):
-                    return found
+                if isinstance(found, dict) and self._fails(need, found, partial):
+                    return Failure(found, need)
             if redrawn:
                 break
         return ""
 
-    def _fails(self, need: Clause, point: dict[str, int]) -> bool:
-        """Whether the grid point keeps the conditions, and breaks the claim."""
-        places = {name: np.array([place]) for name, place in point.items()}
-        _, conditions = self.box.tied(need)
-        return bool(self.box.keeping(conditions, places)[0] and none_holds(need, self.box, places)[0])
+    def _has_value(self, need: Clause) -> bool:
+        return self._have_values([side for each in need for side in (each.left, each.right)])
 
-    def _broken(self, each: Obligation, need: Clause, point: dict[str, int]) -> Settled:
-        names = list(point)
-        admissible = {name: self.points[name] for name in names}
+    def _have_values(self, trees: Iterable[Expr]) -> bool:
+        """Whether it is proven that the formulas have values: nothing is divided by zero, not even where it cancels."""
+        return all(
+            isinstance(self.prove((each,)), str) and self.prove((each,))
+            for tree in trees
+            for each in needed(tree)
+        )
+
+    def _no_value(self, need: Clause) -> Failure | None:
+        """Where a relation is known to have no value."""
+        (relation,) = need
+        for each in (one for side in (relation.left, relation.right) for one in needed(side)):
+            found = self.prove((each,))
+            if isinstance(found, Failure):
+                values = self.box.exact(dict.fromkeys(self.box.axes, 0) | dict(found.point))
+                if False in (has_value(relation.left, values), has_value(relation.right, values)):
+                    return found
+        return None
+
+    def _fails(self, need: Clause, point: dict[str, int], partial: bool) -> bool:
+        """Whether the grid point keeps the conditions, and breaks the claim."""
+        _, conditions = self.box.tied(need)
+        values = self.box.exact(point)
+        return (
+            all(verdict((each,), values) for each in conditions) and verdict(need, values, partial) is False
+        )
+
+    def _broken(self, each: Obligation, failure: Failure) -> Settled:
+        point, need = failure.point, failure.need
+        letters = list(point)
+        admissible = {name: self.points[name] for name in letters}
         share = (
-            float(np.mean(surely_fails(need, self.box, admissible)))
-            if names and len(admissible[names[0]])
+            1.0 - float(np.mean(any_holds(need, self.box, admissible)))
+            if letters and len(admissible[letters[0]])
             else 1.0
         )
-        numbers = self.box.written(point)
+        numbers = self.box.written(point) if point else self._any_numbers()
         if each.redrawn:
-            by = f"redrawn otherwise ({share:.1%} of the draws at most)" if share else "redrawn otherwise"
-            return Settled(each.kind, each.claim, each.line, "proven", by, numbers, "", share)
-        exclude = " or ".join(map(text, need))
+            by = f"redrawn otherwise ({share:.1%} of the draws at most)" if share else REDRAWN
+            return Settled(each.kind, each.claim, each.line, "sampled", by, numbers, "", share)
+        exclude = " or ".join(map(text, need)) if point else ""
         return Settled(each.kind, each.claim, each.line, "counter-example", "grid", numbers, exclude, share)
 
-    def _unsettled(self, each: Obligation, why: str) -> Settled:
+    def _any_numbers(self) -> dict[str, str]:
+        """Some numbers that keep the conditions, for what fails for all."""
+        if not any(map(len, self.points.values())):
+            return {}
+        return self.box.written({name: int(at[0]) for name, at in self.points.items()})
+
+    def _open(self, each: Obligation) -> Settled:
         if each.redrawn:
-            return Settled(each.kind, each.claim, each.line, "proven", "redrawn otherwise")
-        return Settled(each.kind, each.claim, each.line, "sampled", why)
+            return Settled(each.kind, each.claim, each.line, "sampled", REDRAWN)
+        return Settled(each.kind, each.claim, each.line, "sampled" if each.tried else "undecided", each.open)
+
+    def _unsettled(self, each: Obligation, why: str = "") -> Settled:
+        """What no prover decides: sampled where it holds for the variants that are tried, and else undecided."""
+        if each.redrawn:
+            return Settled(each.kind, each.claim, each.line, "sampled", REDRAWN)
+        if each.kind == "value exists":
+            return self._tried(each)
+        for variant in self.samples:
+            for needs, partial in ((each.needs, False), (each.partial, True)):
+                held = [verdict(need, variant.exact, partial) for need in needs]
+                if False in held:
+                    numbers = {
+                        name: number(self.box.problem.given(name), value)
+                        for name, value in variant.values.items()
+                    }
+                    if not partial:
+                        exclude = " or ".join(map(text, needs[held.index(False)]))
+                        return Settled(
+                            each.kind, each.claim, each.line, "counter-example", "a variant", numbers, exclude
+                        )
+                if not all(held):
+                    return Settled(
+                        each.kind,
+                        each.claim,
+                        each.line,
+                        "undecided",
+                        why or "no prover decides, nor do numbers",
+                    )
+        if not self.samples:
+            return Settled(each.kind, each.claim, each.line, "undecided", why or "no prover decides")
+        tried = f"{len(self.samples)} variants"
+        return Settled(each.kind, each.claim, each.line, "sampled", f"{tried}; {why}" if why else tried)
+
+    def _tried(self, each: Obligation) -> Settled:
+        """Whether formulas have values, where what they need in general is not shown."""
+        exist = [has_value(tree, variant.exact) for variant in self.samples for tree in each.formulas]
+        if not exist or not all(exist):
+            return Settled(each.kind, each.claim, each.line, "undecided", "no prover decides")
+        return Settled(each.kind, each.claim, each.line, "sampled", f"{len(self.samples)} variants")
 
     def _differ(self, each: Obligation) -> Settled:
         """One point at which two formulas differ shows that they are not the same."""
@@ -189,5 +333,11 @@ class Settling:
             return Settled(each.kind, each.claim, each.line, "proven", "a point")
         algebra = Algebra(self.box, need)
         if all(algebra.holds(opposite(one)) for one in need):
-            return Settled(each.kind, each.claim, each.line, "counter-example", "algebra")
-        return Settled(each.kind, each.claim, each.line, "sampled", f"the same at {POINTS} points")
+            return Settled(
+                each.kind, each.claim, each.line, "counter-example", "algebra", self._any_numbers()
+            )
+        if not letters:
+            return Settled(each.kind, each.claim, each.line, "undecided", "no point was found to try")
+        return Settled(
+            each.kind, each.claim, each.line, "sampled", f"the same at {len(places[letters[0]])} points"
+        )

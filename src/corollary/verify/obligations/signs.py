@@ -19,6 +19,7 @@ ASKED = re.compile(
     rf" (?P<size>{'|'.join(SIZES)})\b(?! (?:difference|change))|\bhow (?P<how>fast|long|far|high|deep|heavy|many)\b",
     re.IGNORECASE,
 )
+TRUE_AT_ONCE = "sympy takes the condition for true before it has numbers; in quotes it is proven as it stands"
 
 
 def of_claimed_sign(solution: Solution) -> Iterator[Obligation]:
@@ -39,4 +40,7 @@ def of_claimed_sign(solution: Solution) -> Iterator[Obligation]:
 def always_so(solution: Solution) -> Iterator[Obligation]:
     """What the statement says in words, and `always(…)` in the solution as a condition."""
     for each in solution.always:
-        yield Obligation("claimed", each.words, each.line, tuple((one,) for one in each.conditions))
+        needs = tuple((one,) for one in each.conditions)
+        yield Obligation(
+            "claimed", each.words, each.line, needs, open="" if needs else TRUE_AT_ONCE, tried=False
+        )

@@ -12,13 +12,16 @@ from typing import Any
 import numpy as np
 
 from corollary.formula.arithmetics import NotAvailable, ready
-from corollary.formula.ast import Negative, Relation, Sum, names
-from corollary.formula.ball import Undefined, holds
+from corollary.formula.ast import Expr, Negative, Relation, Sum, names
+from corollary.formula.ball import Undefined, evaluate, holds
+from corollary.formula.exact import exactly
+from corollary.formula.rational_pi import RationalPi
 from corollary.problem.interval_filter import INTERVALS, Interval, holding
-from corollary.verify.obligations.box import Box
+from corollary.verify.obligations.box import Box, always_true
 from corollary.verify.obligations.obligation import Clause, opposite
 
 MOST_BOXES = 150_000  # for one relation: a second or so
+BITS = 512  # to see that a formula has a value, which is rarely near to having none
 Places = dict[str, np.ndarray]
 
 
@@ -31,11 +34,13 @@ class Divided:
     failing: dict[str, int] | None = None
 
 
-def subdivide(box: Box, need: Clause, most: int = MOST_BOXES) -> Divided | None:
-    """Whether the relation holds for all of the grid that keeps the conditions; None where that takes more than `most` boxes."""
+def subdivide(box: Box, need: Clause, most: int = MOST_BOXES, partial: bool = False) -> Divided | None:
+    """Whether the clause holds for all of the grid that keeps the conditions (`partial`: wherever it has a value); None where that takes
+    more than `most` boxes, or where a point cannot be decided."""
     letters, conditions = box.tied(need)
     if not letters:
-        return Divided(True, True) if any(map(_true, need)) else Divided(False, True, {})
+        found = verdict(need, {}, partial)
+        return None if found is None else Divided(found, True, None if found else {})
     low = {name: np.zeros(1, dtype=np.int64) for name in letters}
     high = {name: np.array([box.axes[name].count - 1]) for name in letters}
     done, points = 0, False
@@ -53,16 +58,43 @@ def subdivide(box: Box, need: Clause, most: int = MOST_BOXES) -> Divided | None:
         if single.any():
             points = True
             places = {name: low[name][single] for name in letters}
-            admissible = box.keeping(conditions, places)
-            holds_there = any_holds(need, box, places)
-            if (failing := admissible & none_holds(need, box, places)).any():
-                first = int(np.argmax(failing))
-                return Divided(False, True, {name: int(places[name][first]) for name in letters})
-            if (admissible & ~holds_there).any():
-                return None
+            left = box.keeping(conditions, places) & ~any_holds(need, box, places)
+            for each in np.flatnonzero(left):
+                point = {name: int(at[each]) for name, at in places.items()}
+                found = verdict(need, box.exact(point), partial)
+                if not found:
+                    return None if found is None else Divided(False, True, point)
             low, high = ({name: each[name][~single] for name in letters} for each in (low, high))
         low, high = _halved(box, low, high, letters)
     return Divided(True, points)
+
+
+def verdict(need: Clause, values: Mapping[str, RationalPi], partial: bool = False) -> bool | None:
+    """Whether one of the relations holds for these numbers; None where no precision decides. What has no value does not hold (`partial`:
+    where one of the relations has none, the clause says nothing, and holds)."""
+    outcome: bool | None = False
+    for each in need:
+        try:
+            found = holds(each, values)
+        except Undefined:
+            if partial:
+                return True
+            continue
+        if found:
+            return True
+        if found is None:
+            outcome = None
+    return outcome
+
+
+def has_value(tree: Expr, values: Mapping[str, RationalPi]) -> bool | None:
+    """Whether a formula has a value for these numbers; None where that is not decided."""
+    try:
+        if evaluate(tree, values, BITS).is_finite():
+            return True
+    except Undefined:
+        return False
+    return True if exactly(tree, values) is not None else None
 
 
 def any_holds(need: Clause, box: Box, places: Places) -> np.ndarray:
@@ -70,20 +102,12 @@ def any_holds(need: Clause, box: Box, places: Places) -> np.ndarray:
     points, count = box.points(places), len(next(iter(places.values())))
     found = np.zeros(count, dtype=bool)
     for each in need:
-        found |= holding(each, points) if names(each) & points.keys() else _true(each)
-    return found
-
-
-def none_holds(need: Clause, box: Box, places: Places) -> np.ndarray:
-    """At which points all of the relations are known to fail: that one is not known to hold does not say so."""
-    found = np.ones(len(next(iter(places.values()))), dtype=bool)
-    for each in need:
-        found &= any_holds((opposite(each),), box, places)
+        found |= holding(each, points) if names(each) & points.keys() else always_true(each)
     return found
 
 
 def surely_fails(need: Clause, box: Box, places: Places) -> np.ndarray:
-    """The same as far as doubles with a bound tell, which takes no time."""
+    """At which points all of the relations are known to fail, as far as doubles with a bound tell, which takes no time."""
     count = len(next(iter(places.values())))
     found = np.ones(count, dtype=bool)
     with np.errstate(all="ignore"):
@@ -91,13 +115,6 @@ def surely_fails(need: Clause, box: Box, places: Places) -> np.ndarray:
         for each in need:
             found &= _certain(opposite(each), at, count)
     return found
-
-
-def _true(relation: Relation) -> bool:
-    try:
-        return bool(holds(relation, {}))
-    except Undefined:
-        return False
 
 
 def _certain(need: Relation, at: dict[str, Interval], count: int) -> np.ndarray:

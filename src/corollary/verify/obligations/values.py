@@ -33,7 +33,13 @@ def existing(solution: Solution) -> Iterator[Obligation]:
             yield Obligation("value exists", claim, find.statement.line, open="it comes from a simulation")
         else:
             needs = dict.fromkeys(need for tree in find.in_givens for need in needed(tree))
-            yield Obligation("value exists", claim, find.statement.line, tuple((need,) for need in needs))
+            yield Obligation(
+                "value exists",
+                claim,
+                find.statement.line,
+                tuple((need,) for need in needs),
+                formulas=find.in_givens,
+            )
 
 
 def not_zero(solution: Solution) -> Iterator[Obligation]:
