@@ -304,7 +304,7 @@ def _fault(settled: Settled, box: Grid, clause: list[Relation], about: str) -> s
     if settled.outcome == "counter-example":
         shown = {name: Fraction(text.replace("−", "-")) for name, text in settled.numbers.items()}
         here = [at for at in possible if shown.items() <= at.items()]
-        if not shown or not any(all(each.at(at) is False for each in clause) for at in here):
+        if not shown or not any(not any(each.at(at) for each in clause) for at in here):
             return f"{about} is no counter-example at {shown}"
     return ""
 
@@ -373,10 +373,14 @@ class Laws:
                 compared("!=", each, self.meant[name], at) and self._keeps(at, {name: value(each, at)})
                 for name, each in self.others
             )
-        if any(not isinstance(each, Fraction) for row in (*rows, meant.values()) for each in row):
+        if any(not isinstance(each, Fraction) for row in rows for each in row):
             return False
         direction = _null_direction(rows)
         if direction is None:
+            return False
+        if len(meant) == 1:  # any number
+            return self._admits(at, [{name: away} for name in meant for away in AWAY])
+        if any(not isinstance(each, Fraction) for each in meant.values()):
             return False
         return self._admits(
             at,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from corollary.formula.syntax import author_formula
 from corollary.problem.conditions import relations
 from corollary.problem.reader import read_problem
 from corollary.verify.obligations import nonlinear, settle
@@ -212,6 +213,17 @@ def test_of_no_numbers_nothing_is_proven(verified):
     checked = verified(BALANCE % ("m*x = v*(t - x)", ""), problem=LEVER % "require:\n  - m > m + v\n")
     assert not checked.ok
     assert {each.outcome for each in checked.obligations} == {"undecided"}
+
+
+@pytest.mark.parametrize(
+    "claim",
+    ["(v - t)/(v - t) > 0", "v*sqrt(-1) - v*sqrt(-1) = 0", "sin(sqrt(-2/3)) <= v", "sqrt(t - v)^2 >= 0"],
+)
+def test_what_has_no_value_does_not_hold(tmp_path, claim):
+    (tmp_path / "x.md").write_text(RIVER % "", encoding="utf-8")
+    settling = settle.Settling(Box(read_problem(tmp_path / "x.md")))
+    found = settling.settle(Obligation("claimed", "it", 1, ((author_formula(claim),),)))
+    assert (found.outcome, bool(found.numbers)) == ("counter-example", True)
 
 
 def test_an_empty_clause_is_proven_by_nobody(tmp_path):

@@ -128,8 +128,8 @@ class PolynomialSystem:
             for left, right in map(children, opened)
         ]
         self.tops = [top for top in tops if not top.is_zero()]
-        self.names = translation.context.names()
-        self.places = [self.names.index(name) for name in unknowns]
+        self.names: tuple[str, ...] = translation.context.names()
+        self.places: list[int] = [self.names.index(name) for name in unknowns]
 
     @classmethod
     def of(
@@ -160,7 +160,8 @@ class PolynomialSystem:
     def degree(self) -> int:
         """In the unknowns together."""
         return max(
-            (sum(powers[at] for at in self.places) for top in self.tops for powers in _terms(top)), default=0
+            (sum(powers[at] for at in self.places) for top in self.tops for powers in _terms(top)),
+            default=0,
         )
 
     def determinants(self) -> tuple[Clause, ...] | None:

@@ -72,11 +72,11 @@ def needed(tree: Expr) -> Iterator[Relation]:
             power = constant(exponent)
             if power is None:
                 yield Relation(">", base, ZERO)
-            elif power.denominator > 1 and not constant(base):
+            elif power.denominator > 1 and not _positive(base):
                 yield Relation(">" if power < 0 else ">=", base, ZERO)
             elif power < 0 and not constant(base):
                 yield Relation("!=", base, ZERO)
-        case Call("sqrt", (of,)) if constant(of) is None:
+        case Call("sqrt", (of,)) if not _positive(of):
             yield Relation(">=", of, ZERO)
         case Call("ln" | "log10" | "gamma", (of,)):
             yield Relation(">", of, ZERO)
@@ -89,3 +89,9 @@ def needed(tree: Expr) -> Iterator[Relation]:
             yield Relation(">", Sum((Power(y, TWO), Power(x, TWO))), ZERO)
         case Product() | Name() | _:
             pass
+
+
+def _positive(tree: Expr) -> bool:
+    """Of a formula without letters."""
+    value = constant(tree)
+    return value is not None and value > 0
