@@ -353,3 +353,25 @@ def test_sides_that_differ_little_are_shown_to_differ(audited):
         "- {id: a, given: {m: 2 kg, a: 3.0001 m/s^2}, laws: [F = m*a], asked: F, published: 6.00032 N}"
     )
     assert (found.finding, found.sides) == ("wrong", ("6.00032 N", "6.00020 N"))
+
+
+@pytest.mark.parametrize(
+    ("given", "laws", "asked", "published", "finding"),
+    [
+        ("v: -0.54 m/s", "s = abs(v)", "s", "-0.54 m/s", "wrong"),
+        ("v: 3 m/s, m: 2 kg", "K = m*v^2/2", "K", "-9.0 J", "wrong"),
+        ("h: 0.5 m, k: 9.8 m/s^2", "u = sqrt(2*k*h)", "u", "-3.13 m/s", "wrong"),
+        ("F: 6 N, a: 2 m/s^2", "F = m*a", "m", "-3.0 kg", "wrong"),
+        ("x: 3 m, y: 4 m", "r^2 = x^2 + y^2, r > 0", "r", "-5.0 m", "wrong"),
+        ("v: 3 m/s, m: 2 kg", "p = m*v", "p", "-6.0 kg m/s", "ambiguous"),  # the other way is positive
+        ("F: 6 N, s: 2 m, a: 60 deg", "W = F*s*cos(a)", "W", "-6.0 J", "ambiguous"),
+        ("I: 2 A, R: 5 ohm", "U = R*I", "U", "-10 V", "ambiguous"),
+    ],
+)
+def test_a_sign_is_a_matter_of_direction_only_where_there_is_one(
+    audited, given, laws, asked, published, finding
+):
+    law, _, where = laws.partition(", ")
+    text = f"- {{id: a, given: {{{given}}}, laws: ['{law}'], asked: {asked}, published: {published}"
+    outcome = one(audited(text + (f", where: {where}" if where else "") + "}"))
+    assert outcome.finding == finding

@@ -20,7 +20,8 @@ from corollary.parallel import cores
 from corollary.problem.bank import Bank
 from corollary.sandbox.limited import Limited, NotFinished
 
-SECONDS = 30.0  # of the processor for a record: the slowest of the examples takes 5
+SECONDS = 10.0  # of the processor for a record: the slowest of the examples takes 5
+SECONDS_FOR_INTERVALS = 5.0
 SECONDS_FOR_MISTAKES = 20.0
 SECONDS_FOR_FORMULA = 5.0
 
@@ -59,15 +60,24 @@ def _audited(
     try:
         if record.problem:
             return examine_by_problem(record, bank)
-        found = interpreter.call(partial(examine, record), SECONDS)
-    except NotFinished:
-        return cannot_say(
-            record, f"it was not solved within {SECONDS:.0f} s of the processor; state simpler laws"
-        )
+        found = _examined(record, interpreter)
     except Exception as error:  # whatever somebody wrote into a record costs this one alone
         return cannot_say(record, shortened(f"it could not be examined ({type(error).__name__}: {error})"))
     found = tuple(_with_mistake(each, interpreter) for each in found)
     return tuple(_with_formula(each, interpreter) for each in found) if formulas else found
+
+
+def _examined(record: ExerciseRecord, interpreter: Limited) -> tuple[AuditedAnswer, ...]:
+    """By algebra, and where that takes too long by intervals alone."""
+    for by_algebra, seconds in ((True, SECONDS), (False, SECONDS_FOR_INTERVALS)):
+        try:
+            return interpreter.call(partial(examine, record, by_algebra), seconds)
+        except NotFinished:
+            continue
+    seconds = SECONDS + SECONDS_FOR_INTERVALS
+    return cannot_say(
+        record, f"it was not solved within {seconds:.0f} s of the processor; state simpler laws"
+    )
 
 
 def _with_mistake(outcome: AuditedAnswer, interpreter: Limited) -> AuditedAnswer:
@@ -76,8 +86,10 @@ def _with_mistake(outcome: AuditedAnswer, interpreter: Limited) -> AuditedAnswer
         return outcome
     try:
         mistake, law = interpreter.call(partial(mistake_in, outcome), SECONDS_FOR_MISTAKES)
-    except NotFinished:
-        return outcome  # the finding stands; what led to it is not known
+    except (
+        Exception
+    ):  # not finished, or beyond the algebra: the finding stands, and what led to it is not known
+        return outcome
     if law and law != outcome.violates:
         return replace(outcome, mistake=mistake, violates=law, sides=None)
     return replace(outcome, mistake=mistake)
@@ -90,5 +102,5 @@ def _with_formula(outcome: AuditedAnswer, interpreter: Limited) -> AuditedAnswer
         return replace(
             outcome, formula=interpreter.call(partial(derived_formula, outcome), SECONDS_FOR_FORMULA)
         )
-    except NotFinished:
+    except Exception:  # not finished, or beyond the algebra: the finding stands without its formula
         return outcome

@@ -6,19 +6,25 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from corollary.answers.quantity import Reading, read_quantity
+from corollary.answers.tolerance import last_place
+from corollary.audit.contractor import NoContractor
 from corollary.audit.exercise import AdmittedRoot, PublishedExercise, contradictions, exercise_of, quantity
 from corollary.audit.formula_key import formula_in, function_outcome
 from corollary.audit.outcome import AuditedAnswer
 from corollary.audit.put_back import broken_law
 from corollary.audit.record import AskedLetter, ExerciseRecord
+from corollary.audit.reversed import reversible
 from corollary.derive.roots import NoRoot
+from corollary.formula.enclosure import Enclosure
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.rational_pi import RationalPi
 from corollary.units.unit import ONE, PURE, UNITS, Unit
-from corollary.verify.figures import ABOUT, Agreement, as_printed
+from corollary.verify.figures import ABOUT, EXACTLY, HALF_AN_ORDER, Agreement, as_printed
 
 MORE_FIGURES = 2  # than the published number has, in what is shown beside it
 LEAST_FIGURES, MOST_FIGURES = 4, 12
+MOST_OTHERS = 4  # of the roots that go on for ever
+UNPROVEN = "no root that the conditions admit was found, and that there is none is not proven; narrow `where`"
 CONTRADICTION = (
     0.02  # relative: sides of a law that only givens fix; closer ones differ by how the givens were rounded
 )
@@ -38,6 +44,25 @@ class PublishedNumber:
         one_figure = (self.figures or self.reading.figures) == 1  # 7 for 6 is no matter of rounding
         return "differs" if found == "last figure" and one_figure else found
 
+    def fits(self, value: float) -> bool:
+        return self.agreement(value) in ("agrees", "last figure")
+
+    @property
+    def interval(self) -> Enclosure:
+        """In SI: all values that it may stand for, and those that differ by one in the last figure."""
+        number, unit = float(self.exact), self.reading.unit or self.unit
+        if self.text.startswith(ABOUT):
+            ends = number * 10**-HALF_AN_ORDER, number * 10**HALF_AN_ORDER
+            return Enclosure(min(ends), max(ends))
+        number -= float(unit.offset)
+        figures = self.figures or self.reading.figures
+        away = EXACTLY * abs(number)
+        if figures and number:
+            least = self.figures or max(1, self.reading.least)
+            away = max(1.5 * last_place(number, figures, unit.si), last_place(number, least, unit.si) / 2)
+        number += float(unit.offset)
+        return Enclosure(number - away, number + away)
+
     @property
     def exact(self) -> RationalPi:
         """In SI."""
@@ -48,12 +73,12 @@ class PublishedNumber:
         return quantity(value, self.reading.unit or self.unit, min(max(LEAST_FIGURES, figures), MOST_FIGURES))
 
 
-def examine(record: ExerciseRecord) -> tuple[AuditedAnswer, ...]:
+def examine(record: ExerciseRecord, by_algebra: bool = True) -> tuple[AuditedAnswer, ...]:
     """What is found of each published answer of a record that states its laws. It takes as long as the algebra takes."""
     if record.unread:
         return cannot_say(record, record.unread)
     try:
-        exercise = exercise_of(record)
+        exercise = replace(exercise_of(record), by_algebra=by_algebra)
     except ValueError as error:
         return cannot_say(record, str(error))
     pairs = zip(record.asked, record.published, strict=True)
@@ -115,21 +140,21 @@ def published_number(
 def _number_outcome(
     exercise: PublishedExercise, nothing: AuditedAnswer, number: PublishedNumber
 ) -> AuditedAnswer:
-    letter, at = nothing.asked, exercise.numbers
-    roots = exercise.roots(at)
-    if not roots:
-        if _fulfils(exercise, number, letter):
-            return replace(nothing, why="no root was found, but the published answer satisfies the laws")
-        laws = ", ".join(each.name for each in exercise.record.laws)
-        return replace(nothing, finding="impossible", why=f"no real numbers satisfy: {laws}")
-    admitted = [root for root in roots if not root.against]
+    letter = nothing.asked
+    solved = exercise.solved(exercise.numbers)
+    admitted = [root for root in solved.roots if not root.against]
+    if not solved.proven and not any(number.fits(root.values[letter]) for root in admitted):
+        near = _put_in(exercise, number, letter)
+        if near is None and exercise.square:
+            return replace(nothing, why=UNPROVEN)
+        admitted = [*(near or ()), *(admitted or _elsewhere(exercise, number, letter))]
+        if not admitted:
+            return replace(nothing, why=UNPROVEN)
     if not admitted:
-        seen = "; ".join(
-            f"{letter} = {number.written(root.values[letter])} against {root.against}" for root in roots
-        )
-        return replace(nothing, finding="impossible", why=f"no root is as the wording has it: {seen}")
-    for law, *sides in contradictions(admitted[0].left, CONTRADICTION):
-        displayed = (quantity(sides[0], None), quantity(sides[1], None))
+        why = _why_impossible(exercise, number, letter, solved.roots)
+        return replace(nothing, finding="impossible", why=why)
+    for law, left, right in contradictions(admitted[0], CONTRADICTION):
+        displayed = (quantity(left, None), quantity(right, None))
         why = f"the givens contradict each other: {law}"
         return replace(nothing, finding="impossible", why=why, violates=law, sides=displayed)
     distinct = _distinct(admitted, letter)
@@ -172,7 +197,8 @@ def _under_conventions(
         turned = dict(root.values) | {letter: -root.values[letter]}
         if number.agreement(turned[letter]) == "agrees" and not exercise.record.directions:
             unknowns = {name: turned[name] for name in exercise.unknowns}
-            if not exercise.against(unknowns, exercise.numbers):
+            admitted = not exercise.against(unknowns, exercise.numbers)
+            if admitted and reversible(exercise, root, letter):
                 why = "only its sign differs, and no convention says which direction is positive"
                 return replace(found, finding="ambiguous", why=why, violates="", sides=None)
         bare_angle = number.unit.dimension == ONE and number.reading.unit is None and number.unit.bare
@@ -204,12 +230,38 @@ def _distinct(roots: Sequence[AdmittedRoot], letter: str) -> list[AdmittedRoot]:
     return list(found.values())
 
 
-def _fulfils(exercise: PublishedExercise, number: PublishedNumber, letter: str) -> bool:
-    """Whether the laws can hold with the published answer in its place: then a root was overlooked."""
+def _put_in(exercise: PublishedExercise, number: PublishedNumber, letter: str) -> list[AdmittedRoot] | None:
+    """The proven roots at the published number, as it is printed; None where it is proven neither that there are, nor that not."""
     try:
-        return not exercise.contradicted(letter, number.exact, CONTRADICTION)
-    except NoRoot:
-        return False
+        found = exercise.near(letter, number.interval)
+    except NoContractor:
+        return None
+    roots = [root for root in exercise.enclosed(found.roots, exercise.numbers) if not root.against]
+    return roots if roots or found.none else None
+
+
+def _elsewhere(exercise: PublishedExercise, number: PublishedNumber, letter: str) -> list[AdmittedRoot]:
+    """The nearest of the proven roots that the conditions admit, where there may be any number of them."""
+    try:
+        found = exercise.around(letter, float(number.exact))
+    except NoContractor:
+        return []
+    roots = [root for root in exercise.enclosed(found.roots, exercise.numbers) if not root.against]
+    published = float(number.exact)
+    return sorted(roots, key=lambda root: abs(root.values[letter] - published))[:MOST_OTHERS]
+
+
+def _why_impossible(
+    exercise: PublishedExercise, number: PublishedNumber, letter: str, roots: Sequence[AdmittedRoot]
+) -> str:
+    if not roots:
+        laws = ", ".join(each.name for each in exercise.record.laws)
+        wording = ", ".join(exercise.record.where)
+        return f"no real numbers satisfy: {laws}" + (f", where {wording}" if wording else "")
+    seen = "; ".join(
+        f"{letter} = {number.written(root.values[letter])} against {root.against}" for root in roots
+    )
+    return f"no root is as the wording has it: {seen}"
 
 
 def _first(exercise: PublishedExercise, letter: str) -> str:

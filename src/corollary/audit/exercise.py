@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice, product
 
+from corollary.audit.contractor import NoContractor, turning_letters
+from corollary.audit.enclosed_roots import MOST_TURNS, POSSIBLE, EnclosedRoots, enclosed_roots, middle
 from corollary.audit.record import ExerciseRecord, StatedGiven
-from corollary.derive.system import NamedEquation, SystemRoot, stated, system_roots
-from corollary.formula.ast import Relation, names
-from corollary.formula.ball import RationalPi, holds
+from corollary.derive.system import SystemRoot, stated, system_roots
+from corollary.formula.ast import Call, Power, Relation, names, walk
+from corollary.formula.ball import RationalPi, certified, holds
+from corollary.formula.enclosure import Enclosure
 from corollary.formula.errors import Undefined
+from corollary.formula.exact import constant
 from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
 from corollary.laws.law import Law
@@ -23,6 +28,9 @@ from corollary.units.unit import Dimension, Unit, show, si_unit
 
 USUAL_GRAVITY = ("9.8", "9.81", "10")  # m/s^2, tried where a text does not say g
 MOST_ALTERNATIVES = 12
+SHARP = 1e-10  # relative: a root enclosed so narrowly has all the figures that anybody prints
+TURN = Enclosure(-3.2, 3.2)  # a little more, for an angle of half a turn is not to be on the edge
+NEARLY_A_TURN = Enclosure(-3.0, 3.28)  # and a little less: nothing is a whole turn from anything else
 FIGURES = 6  # figures of a number in a sentence
 
 Numbers = Mapping[str, RationalPi]
@@ -30,16 +38,30 @@ Numbers = Mapping[str, RationalPi]
 
 @dataclass(frozen=True, slots=True)
 class AdmittedRoot:
-    """The value of every letter in SI, the givens' too; `against` is the condition it contradicts ("": none)."""
+    """The value of every letter in SI, the givens' too; `against` is the condition it contradicts ("": none).
+
+    `left` are the laws that only numbers are left of, each with its two sides.
+    """
 
     values: Mapping[str, float]
-    left: tuple[NamedEquation, ...]
+    left: tuple[tuple[str, float, float], ...]
     against: str = ""
 
 
 @dataclass(frozen=True, slots=True)
+class SolvedExercise:
+    """The roots that were found at some numbers; `proven`: there are no others that the conditions admit."""
+
+    roots: list[AdmittedRoot]
+    proven: bool
+
+
+@dataclass(frozen=True, slots=True)
 class PublishedExercise:
-    """`givens` include constants and what is assumed; `dimensions` has every letter for which the laws tell what it measures."""
+    """`givens` include constants and what is assumed; `dimensions` has every letter for which the laws tell what it measures.
+
+    Without `by_algebra` the laws are solved by intervals alone, where algebra takes too long.
+    """
 
     record: ExerciseRecord
     givens: Mapping[str, StatedGiven]
@@ -47,6 +69,7 @@ class PublishedExercise:
     laws: tuple[Law, ...]
     where: tuple[tuple[Relation, str], ...]
     dimensions: Mapping[str, Dimension]
+    by_algebra: bool = True
 
     @property
     def fixed(self) -> bool:
@@ -64,22 +87,93 @@ class PublishedExercise:
             return self.givens[letter].unit
         return si_unit(self.dimensions[letter]) if letter in self.dimensions else None
 
+    @property
+    def square(self) -> bool:
+        """Whether there are as many laws of unknowns as unknowns: then intervals can decide."""
+        live = [each for each in self.equations if names(each) & set(self.unknowns)]
+        return len(live) == len(self.unknowns)
+
+    @property
+    def equations(self) -> list[Relation]:
+        """The laws as they are written."""
+        found = (author_formula(law.formula) for law in self.record.laws)
+        return [each for each in found if isinstance(each, Relation)]
+
     def roots(self, at: Numbers) -> list[AdmittedRoot]:
         """The real roots at these numbers. Raises NoRoot where the laws do not fix the unknowns."""
-        return list(self.admitted(system_roots(self.laws, self.unknowns, at), at))
+        return self.solved(at).roots
 
-    def contradicted(self, letter: str, value: RationalPi, within: float) -> bool:
-        """Whether the laws cannot hold with this value of an unknown, the others being whatever they must be."""
-        others = tuple(each for each in self.unknowns if each != letter)
-        found = system_roots(self.laws, others, {**self.numbers, letter: value})
-        return all(any(True for _ in contradictions(root.left, within)) for root in found)
+    def solved(self, at: Numbers) -> SolvedExercise:
+        """The real roots at these numbers, by intervals where these find them all, else by algebra. Raises NoRoot.
+
+        Intervals leave out what contradicts a condition, unless nothing else is left.
+        """
+        with suppress(NoContractor):
+            found = self._by_intervals(at, [relation for relation, _ in self.where])
+            if found.none:
+                besides = self.enclosed(self._by_intervals(at, ()).roots, at)
+                return SolvedExercise([each for each in besides if each.against], proven=True)
+            if found.complete and found.roots and self._sharp(found):
+                return SolvedExercise(self.enclosed(found.roots, at), proven=True)
+        if not self.by_algebra:
+            return SolvedExercise([], proven=False)
+        roots = list(self.admitted(system_roots(self.laws, self.unknowns, at), at))
+        return SolvedExercise(roots, proven=all(map(_polynomial, self.equations)))
+
+    def _by_intervals(self, at: Numbers, conditions: Sequence[Relation]) -> EnclosedRoots:
+        asked = {each.letter for each in self.record.asked}
+        within = dict.fromkeys(self._turning() - asked, TURN)
+        return enclosed_roots(self.equations, conditions, self.unknowns, at, within, turns=MOST_TURNS)
+
+    def _turning(self) -> set[str]:
+        """The unknown angles of which the laws and conditions tell no turn: one a whole turn away is the same."""
+        return turning_letters([*self.equations, *(relation for relation, _ in self.where)], self.unknowns)
+
+    def near(self, letter: str, within: Enclosure) -> EnclosedRoots:
+        """The roots that the conditions admit where a letter is within bounds. Raises NoContractor."""
+        conditions = [relation for relation, _ in self.where]
+        turning = dict.fromkeys(self._turning(), TURN)
+        bounds = turning | {letter: within}
+        return enclosed_roots(self.equations, conditions, self.unknowns, self.numbers, bounds)
+
+    def around(self, letter: str, value: float) -> EnclosedRoots:
+        """The roots that the conditions admit at any value of a letter; at an angle those within half a turn of the value."""
+        if letter not in self._turning():
+            return self.near(letter, POSSIBLE)
+        return self.near(letter, Enclosure(value + NEARLY_A_TURN.low, value + NEARLY_A_TURN.high))
+
+    def enclosed(self, found: Iterable[Mapping[str, Enclosure]], at: Numbers) -> list[AdmittedRoot]:
+        """Proven roots, each with the condition that it contradicts."""
+        roots: list[AdmittedRoot] = []
+        for each in found:
+            values = {name: 0.0 if interval.has(0) else middle(interval) for name, interval in each.items()}
+            roots.append(AdmittedRoot(values | self._in_si(at), self._left(at), self.against(values, at)))
+        return roots
+
+    def _sharp(self, found: EnclosedRoots) -> bool:
+        """Whether the figures of all that is asked are known; of what comes to nothing only algebra says that it is 0."""
+        asked = {each.letter for each in self.record.asked}
+        inside = [root[letter] for root in found.roots for letter in asked & root.keys()]
+        return not self.by_algebra or all(each.width <= SHARP * abs(middle(each)) for each in inside)
+
+    def _left(self, at: Numbers) -> tuple[tuple[str, float, float], ...]:
+        """The laws that only numbers are left of, each with its sides."""
+        found: list[tuple[str, float, float]] = []
+        for law, relation in zip(self.record.laws, self.equations, strict=True):
+            if not names(relation) & set(self.unknowns):
+                with suppress(Undefined):
+                    left, right = (certified(side, at).value for side in (relation.left, relation.right))
+                    found.append((law.name, left, right))
+        return tuple(found)
 
     def admitted(self, found: tuple[SystemRoot, ...], at: Numbers) -> Iterator[AdmittedRoot]:
         """Of the roots those that are real at these numbers, each with the condition that it contradicts."""
         for root in found:
             values = root.at(at)
             if values is not None:
-                yield AdmittedRoot(values | self._in_si(at), root.left, self.against(values, at))
+                sides = [(each.law, each.at(at)) for each in root.left]
+                left = tuple((law, *both) for law, both in sides if both is not None)
+                yield AdmittedRoot(values | self._in_si(at), left, self.against(values, at))
 
     def against(self, values: Mapping[str, float], at: Numbers) -> str:
         """The first condition that does not hold for these values of the unknowns, or ""."""
@@ -109,12 +203,20 @@ class PublishedExercise:
         return {name: float(value) for name, value in at.items()}
 
 
-def contradictions(left: Sequence[NamedEquation], within: float) -> Iterator[tuple[str, float, float]]:
+def contradictions(root: AdmittedRoot, within: float) -> Iterator[tuple[str, float, float]]:
     """Each law that only numbers are left of and whose sides differ by more than a share of them, with its sides."""
-    for equation in left:
-        sides = equation.at({})
-        if sides is not None and abs(sides[0] - sides[1]) > within * max(map(abs, sides)):
-            yield equation.law, *sides
+    for law, left, right in root.left:
+        if abs(left - right) > within * max(abs(left), abs(right)):
+            yield law, left, right
+
+
+def _polynomial(relation: Relation) -> bool:
+    """Whether algebra finds every root: there is no function and no broken power."""
+    return not any(isinstance(node, Call) for node in walk(relation)) and all(
+        (power := constant(node.exponent)) is not None and power.denominator == 1
+        for node in walk(relation)
+        if isinstance(node, Power)
+    )
 
 
 def exercise_of(record: ExerciseRecord) -> PublishedExercise:
