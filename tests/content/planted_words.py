@@ -92,6 +92,20 @@ WORDS = (
         ("bullet_and_block.nb.md", "glidd {{d}} på den", "glidd ti centimeter ({{d}}) på den", TYPED),
     ),
     *_of(
+        "given typed as text",
+        ("spring_gun.md", "constant {{k}}", r"constant $k=320\,\frac{\mathrm N}{\mathrm m}$", TYPED),
+        ("spring_gun.md", "constant {{k}}", "constant of 3.2 N/cm", TYPED),
+        ("floating_wood.md", "density of {{rho}}", "density of 0.65 g/cm³", TYPED),
+        ("ladder.md", "makes {{theta}}", "makes 65 degrees", TYPED),
+        ("moons_of_a_planet.md", "needs {{T}}", "needs 1.8 days", TYPED),
+    ),
+    *_of(
+        "holes exchanged",
+        ("pressure_at_depth.md", "diameter of {{d}}, and", "diameter of {{h}}, and", "is it meant?"),
+        ("ladder.md", "a mass of {{m}} leans", "a mass of {{M}} leans", "is it meant?"),
+        ("leaking_barrel.md", "up to {{H}}", "up to {{y}}", "is it meant?"),
+    ),
+    *_of(
         "unit in the words",
         (
             "crate_on_a_lorry.md",
@@ -264,6 +278,7 @@ WORDS = (
     ),
 )
 NOT_FOUND = (
+    PlantedWords("hole without a noun", "pressure_at_depth.md", "{{h}} below", "{{d}} below", ""),
     PlantedWords(
         "another number", "braking_at_a_light.md", "straight street at {{v}}", "street at 51 km/h", ""
     ),

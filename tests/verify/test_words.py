@@ -81,6 +81,12 @@ RIGHT = {  # sentence, question, unit
     "a range": ("Pick anything from 5 to 60, in steps of 1.", "What is the force?", "N"),
     "a bolt": ("Two M8 bolts of grade 8.8 hold the flange DN 50, see ISO 2768.", "Which load?", "N"),
     "zero": ("At $t = 0$ it is at rest, and $v = 0$; for $t > 10$ nothing is known.", "Which?", "N"),
+    "a product": ("HEB 200 of steel S355, T 200, Apollo 10, $^{200}$Hg with mass number 200.", "Which?", "N"),
+    "a price": ("It costs 50 € per ton; on 10 May 2020 at 10:50 it was 50:50.", "What is the force?", "N"),
+    "an age": ("The 10-year-old twin (age 20) has 2 of 50 coins; in half of 50 cases.", "Which?", "N"),
+    "figures": ("Use 2 significant figures and 10 decimals, π = 3.14.", "What is the force?", "N"),
+    "a difference": ("It warms up.", "By how many degrees Celsius does it warm?", "K"),
+    "a share of speed": ("It moves.", "What is v in m/s after 2 km in 3 min?", "m/s"),
     "in German words": ("Im Jahr 2010 wurden 50 Autos in 2 Tagen geprüft.", "Welche Kraft?", "N"),
 }
 

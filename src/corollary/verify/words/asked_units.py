@@ -73,9 +73,19 @@ def asked_units(text: str) -> Iterator[AskedUnit]:
                 ")",
                 "]",
             )
-            firmly = pattern is not IN_UNIT or bracket or ASKS.search(sentence) is not None
+            apart = (
+                text[: found.start()].rstrip().endswith(",")
+                and re.match(r" ?\$?[,?]", text[end:]) is not None
+            )
+            firmly = pattern is not IN_UNIT or bracket or apart or ASKS.search(sentence) is not None
             if pattern is HOW_MANY and WHOLE.fullmatch(words):
                 continue  # a number of turns is a plain number
+            if (
+                pattern is HOW_MANY
+                and unit.offset
+                and re.search(r"(?i)\b(?:by|um|med) $", text[: found.start()])
+            ):
+                continue  # by how many degrees Celsius: a difference, in kelvins as well
             yield AskedUnit(found.start(), words, unit, firmly)
 
 
@@ -126,6 +136,12 @@ def _misfit(asked: AskedUnit, part: Part, whole: bool) -> str:
 
 
 def _same(one: Unit, other: Unit) -> bool:
+    if (
+        one.dimension == other.dimension
+        and one.factor == other.factor
+        and (one.is_difference or other.is_difference)
+    ):
+        return True  # by how many degrees Celsius
     return (one.dimension, one.factor, one.pi, one.offset) == (
         other.dimension,
         other.factor,

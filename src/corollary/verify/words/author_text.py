@@ -26,6 +26,9 @@ SIUNITX = re.compile(r"\\(?:SI|qty)\s*(?:\[[^\]]*\])?\{([^{}]*)\}\{([^{}]*)\}")
 UPRIGHT = re.compile(
     r"\\(?:mathrm|text|textrm|mathsf|mathup|rm|operatorname|unit|si|num|ang)\s*\{((?:[^{}]|\{[^{}]*\})*)\}"
 )
+UPRIGHT_LETTER = re.compile(r"\\mathrm\s+([A-Za-z])(?![A-Za-z])")
+FRACTION = re.compile(rf"\\[dt]?frac\{{{INLINE}([^{{}}]+)\}}\{{{INLINE}([^{{}}]+)\}}")
+"""Of units, as in N over m."""
 SPACES = re.compile(r"\\[,;:! ]|~|\\quad|\\thinspace|[\N{NO-BREAK SPACE}\u2009\u202f\u2007]")
 SIGNS = (
     (re.compile(r"\{([,.])\}"), r"\1"),
@@ -89,9 +92,10 @@ def tex_replaced(text: str) -> str:
     text = SPACES.sub(" ", text)
     for sign, by in SIGNS:
         text = sign.sub(by, text)
+    text = UPRIGHT_LETTER.sub(rf"{INLINE}\1", text)
     for _ in range(2):
         text = UPRIGHT.sub(rf"{INLINE}\1", text)
-    return text
+    return FRACTION.sub(rf"{INLINE}\1/\2", text)
 
 
 def _blank(found: re.Match[str]) -> str:

@@ -44,8 +44,29 @@ STEM = 5
 def exchanged(problem: Problem, texts: Iterable[AuthorText], meanings: Mapping[str, str]) -> Iterator[str]:
     """A sentence with its place for two holes in a text, each of which the words before it say to be the other."""
     givens = {given.symbol: given for given in problem.givens}
-    for each in texts:
+    every = list(texts)
+    in_words = {
+        hole
+        for each in every
+        if each.kind in ("statement", "part", "option")
+        for hole in _places(each.text, givens)
+    }
+    missing = [name for name in givens if name not in in_words and not givens[name].source]
+    for each in every:
         places = _places(each.text, givens)
+        for one, other in ((one, other) for one in places for other in missing if each.kind == "statement"):
+            if givens[one].unit.dimension != givens[other].unit.dimension:
+                continue
+            own, others = (
+                _distinctive(meanings[one], meanings[other]),
+                _distinctive(meanings[other], meanings[one]),
+            )
+            place = next((at for at in places[one] if _nearest(each.text, at, own, others) == 2), None)
+            if place is not None:
+                yield (
+                    f"{each.where(place, each.text)}: {each.what}: {{{{{one}}}}} stands where the words are about {meanings[other]}, "
+                    f"whose {{{{{other}}}}} is nowhere: is it meant?"
+                )
         for one, other in combinations(places, 2):
             if givens[one].unit.dimension != givens[other].unit.dimension or not (
                 places[one] and places[other]

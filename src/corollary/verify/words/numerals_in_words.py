@@ -17,6 +17,7 @@ NUMERAL = re.compile(
 )
 WORD_UNIT = r"[A-Za-zµμΩΩ°%ℓÅåøöéè]"
 AFTER = re.compile(rf"(?P<gap> ?\$? ?[{INLINE}]? ?|-)(?P<unit>{WORD_UNIT}[^,;:!?\n$\"|\[\]\u25a1]{{0,40}})")
+SENTENCE_END = re.compile(r"(?<=[^\W_])\.(?=\s)")
 LOOK_LIKE_UNITS = """
 a as at in is am an to of e d u t de da der die das den en et er og und i im um au the and or on per men mal ha pm l
 """
@@ -116,7 +117,8 @@ def unit_after(text: str, at: int, in_formula: bool) -> tuple[Unit | None, int]:
         return None, at
     if in_formula and "$" not in found["gap"] and INLINE not in found["gap"] and found["unit"][0] not in "°%":
         return None, at
-    ends = [each.end() for each in re.finditer(r"\S+", found["unit"])][:4]
+    sentence = SENTENCE_END.split(found["unit"])[0]
+    ends = [each.end() for each in re.finditer(r"\S+", sentence)][:4]
     for last in reversed(ends):
         written = found["unit"][:last]
         words = written.rstrip(".").replace(INLINE, "")

@@ -33,6 +33,10 @@ og eller men når mens som på i til fra for med ved over mot etter før den det
 """
 FOLLOWS = frozenset(SMALL_WORDS.split())
 """Words that may follow a quantity without a unit; before another word a number counts things."""
+LEADS = re.compile(
+    r"\b(?:at|with|by|is|was|about|bei|mit|um|ist|etwa|ved|med|er|omtrent)\s+\$?$", re.IGNORECASE
+)
+"""Words before a quantity without a unit."""
 LISTED = re.compile(r"\d\)?\s*(?:,|and|to|und|bis|og|til|-|–)\s*$")
 CODE_BEFORE = re.compile(r"\b[A-Z][A-Z0-9]+[ -]?$")
 """DN 50, ISO 2768: the name of a part or of a norm."""
@@ -140,6 +144,11 @@ def _bare_quantity(number: TypedNumber, given: Given, each: AuthorText) -> bool:
     near = {word.lower()[:5] for word in NOUN.findall(before[-30:])}
     if _quantity(given.meaning) in near and re.search(r"(?:of|is|von|ist|på|er|av|with|mit|med)\s*$", before):
         return True
+    alone = not before.strip() and not after
+    if after[:1] in (":", "€", "-", "/", "'", "’", "+") or not (alone or LEADS.search(before)):
+        return False
+    if given.unit.dimension == ONE and "." not in number.text and "," not in number.text:
+        return False  # a count of something else
     follows = re.match(r"[A-Za-zÀ-ÿ]+", after)
     if follows is not None and follows[0].lower() not in FOLLOWS:
         return False
@@ -151,7 +160,11 @@ def _bare_quantity(number: TypedNumber, given: Given, each: AuthorText) -> bool:
 def _quantity(meaning: str) -> str:
     """The first noun of a meaning, which is the quantity: mass of the crate."""
     noun = NOUN.search(meaning)
-    return noun[0].lower()[:5] if noun is not None else ""
+    return (
+        noun[0].lower()[:5]
+        if noun is not None and noun[0].lower() not in ("number", "anzahl", "antall")
+        else ""
+    )
 
 
 @lru_cache(maxsize=512)
