@@ -229,3 +229,58 @@ def test_what_nothing_has_read_is_one_line(tmp_path):
     assert "the sentences of the question" in line
     assert "\n" not in unread_of_all([("W1", found), ("W2", found)])
     assert "(2 problems)" in unread_of_all([("W1", found), ("W2", found)])
+
+
+FIGURE = """\
+---
+code: W2
+title: A figure
+given:
+  u: {is: velocity, value: -3, from: -5, to: -1, step: 0.5, unit: m/s}
+  w: {is: velocity of the other, value: 2, from: -4, to: 4, step: 0.5, unit: m/s}
+  s: {is: speed, value: 4, from: 1, to: 6, step: 0.5, unit: m/s}
+  L: {is: length, value: 4, from: 1, to: 6, step: 0.5, unit: m}
+  H: {is: height, value: 4, from: 1, to: 6, step: 0.5, unit: m}
+figure: |
+  ball a at=0,0
+  LINE
+---
+{{u}} {{w}} {{s}} {{L}} {{H}}
+
+## Asked {#a .value unit="N"}
+What is it?
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ('arrow a by=u,0 "{{u}}"\n  axes "x"', ""),
+        ('arrow a by=-u,0 "{{u}}"\n  axes "x"', "points along the axes where u is −5"),
+        ('arrow a by=-u,0 "u"\n  axes "x"', "points along the axes where u is −5"),
+        ('arrow a by=0,-u "{{u}}"\n  axes "x"', ""),  # down may be positive
+        ('arrow a by=0,-u "{{u}}"\n  axes "y" above', "points along the axes"),
+        ('arrow a by=0,-u "{{u}}"\n  axes "x" "y"', "points along the axes"),
+        ('arrow a by=-u,0 "{{u}}"', ""),  # without axes the author may count to the left
+        ('arrow a by=1,0 "{{w}}"', "whatever the sign of w, which is from −4 to 4"),
+        ('arrow a by=w,0 "{{w}}"', ""),
+        ('arrow a by=abs(w),0 "{{w}}"', "whatever the sign of w"),
+        ('arrow a by=-s,0 "{{s}}"\n  axes "x"', ""),  # a speed to the left
+        ('arrow a by=s,0 "s = ?"', ""),
+        ('arrow a by=s,0 "{{w}}"', "drawn as s (speed) and labelled with w"),
+        ('length from=0,0 to=L,0 "{{H}}"', "the length is drawn as L (length) and labelled with H (height)"),
+        ('length from=0,0 to=L,0 "H"', "labelled with H"),
+        ('length from=0,0 to=L,0 "{{L}}"', ""),
+        ('length from=0,0 to=0.7*L,0 "{{H}}"', ""),  # a sketch
+        ('length from=L,0 to=L,H "{{L}}"', "drawn as H (height) and labelled with L"),
+        ('length from=0,0 to=L,0 "L + {{H}} - {{L}}"', ""),
+        ('text at=0,1 "s = {{w}}"', "shows the value of w"),
+    ],
+)
+def test_the_figure_is_held_against_the_numbers(tmp_path, line, found):
+    path = tmp_path / "figure.md"
+    path.write_text(FIGURE.replace("LINE", line), encoding="utf-8")
+    tally = Tally()
+    check_words(read_problem(path), tally)
+    assert len(tally.complaints) == bool(found), tally.complaints
+    assert all(found in each and each.startswith("figure.md:1") for each in tally.complaints)

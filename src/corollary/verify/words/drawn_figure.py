@@ -6,9 +6,8 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from corollary.figure.item import FigureItem
 from corollary.problem.figure import is_svg
-from corollary.problem.figure_lines import PANEL, FigureLine, read_lines
+from corollary.problem.figure_lines import FigureLine, read_lines
 from corollary.problem.given import Given
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
@@ -39,14 +38,11 @@ def misdrawn(problem: Problem) -> Iterator[str]:
     axes = _axes(lines)
     first = problem.figure_line + 1
     for line in lines:
-        label = _labelled(line, givens)
-        if label is None or line.over is not None:
+        given = _labelled(line, givens)
+        if given is None or line.over is not None:
             continue
-        given, by_hole = label
         try:
-            why = _of_length(line, given, givens, numbers) or _of_arrow(
-                line, given, givens, numbers, axes, by_hole
-            )
+            why = _of_length(line, given, givens, numbers) or _of_arrow(line, given, givens, numbers, axes)
         except (ArithmeticError, ValueError):
             continue  # which is complained of where the figure is drawn
         if why:
@@ -54,17 +50,16 @@ def misdrawn(problem: Problem) -> Iterator[str]:
             yield f"{problem.path.name}:{first + line.line}: figure, `{text}`: {why}"
 
 
-def _labelled(line: FigureLine, givens: Mapping[str, Given]) -> tuple[Given, bool] | None:
-    """The given that a label is about, and whether by a hole: `"h = {{h}}"`, `"{{h}}"`, `"h"`; None where it is not one given."""
+def _labelled(line: FigureLine, givens: Mapping[str, Given]) -> Given | None:
+    """The given that a label is about: `"h = {{h}}"`, `"{{h}}"`, `"h"`; None where it is not one given."""
     if len(line.texts) != 1:
         return None
     holes = [each["formula"].strip() for each in HOLE.finditer(line.texts[0])]
     if len(holes) == 1 and holes[0] in givens:
-        return givens[holes[0]], True
+        return givens[holes[0]]
     lone = LONE.match(line.texts[0])
     if not holes and lone is not None:
-        found = next((each for each in givens.values() if same_letter(lone["letter"], each.symbol)), None)
-        return (found, False) if found else None
+        return next((each for each in givens.values() if same_letter(lone["letter"], each.symbol)), None)
     return None
 
 
@@ -122,9 +117,11 @@ def _alike(one: Sequence[float], other: Sequence[float]) -> bool:
     return all(abs(a - b) <= SAME * max(abs(a), abs(b)) for a, b in zip(one, other, strict=True))
 
 
-def _axes(lines: Sequence[FigureLine]) -> bool:
-    """True if axes are drawn, which point to the right and up."""
-    return any(line.kind == "axes" for line in lines)
+def _axes(lines: Sequence[FigureLine]) -> tuple[bool, bool]:
+    """Whether axes are drawn that point to the right, and up."""
+    drawn = [line for line in lines if line.kind == "axes"]
+    right = any("above" not in line.flags for line in drawn)
+    return right, any("above" in line.flags or len(line.texts) > 1 for line in drawn)
 
 
 def _of_arrow(
@@ -132,8 +129,7 @@ def _of_arrow(
     given: Given,
     givens: Mapping[str, Given],
     numbers: Sequence[Values],
-    axes: bool,
-    by_hole: bool,
+    axes: tuple[bool, bool],
 ) -> str:
     """Of an arrow that is labelled with a signed value: it turns with the sign, and with axes drawn it points against them below 0."""
     if line.kind != "arrow" or "by" not in line.numbers:
@@ -153,7 +149,7 @@ def _of_arrow(
             f"{_in_unit_of(given, high)}: draw by={given.symbol},0, or by=0,{given.symbol}"
         )
     against = [values for values, way in zip(tried, ways, strict=True) if way * values[given.symbol] < 0]
-    if axes and against:
+    if against and axes[0 if drawn[0][0] else 1]:
         value = against[0][given.symbol]
         return (
             f"the arrow points {'along' if value < 0 else 'against'} the axes where {given.symbol} is {_in_unit_of(given, value)}: "
@@ -186,6 +182,3 @@ def _way(vector: tuple[float, ...]) -> int:
 
 def _values(variant: Variant) -> dict[str, float]:
     return {given.symbol: _si(given, variant.values[given.symbol]) for given in variant.problem.givens}
-
-
-__all__ = ["PANEL", "FigureItem", "misdrawn"]
