@@ -284,3 +284,12 @@ def test_the_figure_is_held_against_the_numbers(tmp_path, line, found):
     check_words(read_problem(path), tally)
     assert len(tally.complaints) == bool(found), tally.complaints
     assert all(found in each and each.startswith("figure.md:1") for each in tally.complaints)
+
+
+def test_an_answer_type_that_is_not_known_is_no_matter_of_words(tmp_path):
+    path = tmp_path / "figure.md"
+    path.write_text(FIGURE.replace("LINE", "").replace(".value", ".guess"), encoding="utf-8")
+    problem, tally = read_problem(path), Tally()
+    check_words(problem, tally)
+    assert not tally.complaints
+    assert unread(problem)

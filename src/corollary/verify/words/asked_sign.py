@@ -6,12 +6,12 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 
-from corollary.answers.registry import answer_type
 from corollary.grading.key import Key
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.problem.translation import translation, translations
 from corollary.units.unit import show
+from corollary.verify.words.author_text import asks_for_numbers
 
 MAGNITUDE = {
     "en": r"\bhow (?:large|big|great|strong|fast|quickly|far|high|long|deep|heavy|wide|steep|much time)\b|\bmagnitude\b|\babsolute value\b|"
@@ -54,8 +54,7 @@ def magnitudes_asked(problem: Problem) -> dict[str, str]:
     found: dict[str, str] = {}
     others = {code: translation(problem, code) for code in translations(problem.path)}
     for part in problem.parts:
-        kind = answer_type(part.answer_type)
-        if kind.stated_by != "step" or kind.in_symbols:
+        if not asks_for_numbers(part):
             continue
         if words := _words(part, f"{part.title}\n{part.text}", "en"):
             found[part.id] = f"{problem.path.name}:{part.line}: part {part.id} asks {words!r}"

@@ -6,11 +6,10 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from corollary.answers.registry import answer_type
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.units.unit import ONE, Unit, canonical, show
-from corollary.verify.words.author_text import INLINE, AuthorText
+from corollary.verify.words.author_text import INLINE, AuthorText, asks_for_numbers
 from corollary.verify.words.numerals_in_words import unit_after
 from corollary.verify.words.typed_givens import is_angle
 
@@ -93,9 +92,9 @@ def wrong_units(problem: Problem, texts: Iterable[AuthorText]) -> Iterator[str]:
     """A sentence with its place for each unit in the words that is not the unit of the part."""
     for each in texts:
         if each.part is not None and each.kind != "option":
-            parts = [each.part] if _of_numbers(each.part) else []
+            parts = [each.part] if asks_for_numbers(each.part) else []
         elif each.kind == "statement":
-            parts = [part for part in problem.parts if _of_numbers(part)]
+            parts = [part for part in problem.parts if asks_for_numbers(part)]
         else:
             continue
         for asked in asked_units(each.without_tex) if parts else ():
@@ -161,8 +160,3 @@ def _a_name(text: str, start: int, end: int) -> bool:
         and text[end - 1] not in "NJWV"
         and not text[:start].rstrip().endswith(("(", "["))
     )
-
-
-def _of_numbers(part: Part) -> bool:
-    kind = answer_type(part.answer_type)
-    return kind.stated_by == "step" and not kind.in_symbols

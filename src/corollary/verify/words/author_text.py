@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+from corollary.answers.registry import UnknownAnswerType, answer_type
 from corollary.problem.figure import is_svg
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
@@ -96,6 +97,19 @@ def tex_replaced(text: str) -> str:
     for _ in range(2):
         text = UPRIGHT.sub(rf"{INLINE}\1", text)
     return FRACTION.sub(rf"{INLINE}\1/\2", text)
+
+
+def stated_by(part: Part) -> str:
+    """The word of a solution that states the answer: step, choice, explain; "" for a type of answers that is not known."""
+    try:
+        return answer_type(part.answer_type).stated_by
+    except UnknownAnswerType:
+        return ""
+
+
+def asks_for_numbers(part: Part) -> bool:
+    """True for quantities; not for formulas, choices, words and programs."""
+    return stated_by(part) == "step" and not answer_type(part.answer_type).in_symbols
 
 
 def _blank(found: re.Match[str]) -> str:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from corollary.answers.registry import answer_type
 from corollary.problem.figure import is_svg
 from corollary.problem.pictures import pictures_of
 from corollary.problem.problem import Problem
 from corollary.problem.translation import translations
 from corollary.verify.words.asked_sign import MAGNITUDE
+from corollary.verify.words.author_text import stated_by
 
 LANGUAGES = {
     "de": "German",
@@ -30,7 +30,7 @@ def unread(problem: Problem) -> tuple[str, ...]:
     found += [f"the picture {name}" for name in names]
     if problem.figure and is_svg(problem.figure):
         found.append("the hand-drawn figure")
-    if marked := [part.id for part in problem.parts if answer_type(part.answer_type).stated_by == "explain"]:
+    if marked := [part.id for part in problem.parts if stated_by(part) == "explain"]:
         found.append(f"rubric and model answer of {_parts(marked)}")
     if code := [
         part.id for part in problem.parts if "code" in part.answer_types or "plot" in part.answer_types
