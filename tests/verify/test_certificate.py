@@ -9,13 +9,16 @@ from dataclasses import replace
 
 import pytest
 from click.testing import CliRunner
+from hypothesis import given
+from hypothesis import strategies as st
 
 from corollary.cli.commands import app
 from corollary.formula.syntax import author_formula
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
-from corollary.verify.certificate.check import unproven
-from corollary.verify.certificate.script import certificate, script
+from corollary.verify.certificate.check import AXIOMS, accepted, axioms, unproven
+from corollary.verify.certificate.coq import coq_name
+from corollary.verify.certificate.script import OPENING, certificate, script
 
 BANK = chapter_bank()
 SOLUTIONS = Solutions(BANK)
@@ -108,3 +111,82 @@ def test_the_kernel_accepts_no_wrong_key(name, formula):
     wrong = with_key("X12.5", name, formula)
     found = unproven(wrong, certificate(wrong))
     assert {f"{name}_holds", f"{name}_only"} <= found
+
+
+def without_comments(text: str) -> str:
+    """What Coq reads: comments nest, and a quotation mark begins a string in one and outside."""
+    found, depth, place, quoted = "", 0, 0, False
+    while place < len(text):
+        two = text[place : place + 2]
+        if quoted:
+            quoted = text[place] != '"'
+            place += 1
+        elif two == "(*":
+            depth, place = depth + 1, place + 2
+        elif two == "*)" and depth:
+            depth, place = depth - 1, place + 2
+        else:
+            quoted = text[place] == '"'
+            found, place = found + ("" if depth else text[place]), place + 1
+    assert not depth
+    assert not quoted
+    return found
+
+
+WORDS = ["(", "*", ")", '"', "'", ".", " ", "\n", "\r", "\u2028", "\\", "é", "Axiom bad : False.", "Qed."]
+TITLES = st.lists(st.sampled_from(WORDS)).map("".join)
+
+
+@given(TITLES | st.text(), TITLES)
+def test_no_word_of_a_problem_is_read_as_a_command(title, claim):
+    right = solution("X12.5")
+    steps = certificate(right)
+    other = replace(right, problem=replace(right.problem, title=title, code=f"X{claim}"))
+    told = [
+        replace(step, part=title, lemmas=tuple(replace(each, claim=claim) for each in step.lemmas))
+        for step in steps
+    ]
+    said, usual = (without_comments(script(*each)).split() for each in ((other, told), (right, steps)))
+    assert said == usual
+    assert "Axiom" not in said
+
+
+@given(st.lists(st.text(st.sampled_from("abPIRx_12θé'3b8K"), min_size=1), unique=True))
+def test_two_letters_are_two_names_in_coq(letters):
+    letters = [each for each in letters if each.isidentifier()]
+    names = [coq_name(each) for each in letters]
+    assert len({*names}) == len(letters)
+    assert all(re.fullmatch(r"[A-Za-z][A-Za-z0-9_']*", each) for each in names)
+    assert not {"PI", "R"} & {*names}
+
+
+def test_each_lemma_tells_its_axioms_and_has_an_example():
+    right = solution("X12.5")
+    text = script(right, certificate(right))
+    lemmas = re.findall(r"^Lemma (\S+) ", text, re.MULTILINE)
+    assert re.findall(r"^Print Assumptions (\S+)\.$", text, re.MULTILINE) == lemmas
+    assert "F_example" in lemmas
+    assert "  exists " in text
+
+
+@pytest.mark.parametrize(
+    ("printed", "accepted"),
+    [
+        ("Closed under the global context\n", True),
+        ("Axioms:\nClassicalDedekindReals.sig_forall_dec\n  : forall P : nat -> Prop,\n    P\n", True),
+        ("Axioms:\nbad : False\n", False),
+        ("Axioms:\nsig_forall_dec : False\n", False),  # another one of that name
+    ],
+)
+def test_other_axioms_than_those_of_the_reals_are_seen(printed, accepted):
+    assert (axioms(printed) <= AXIOMS) == accepted
+
+
+@pytest.mark.client
+@pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed (apt install coq)")
+@pytest.mark.parametrize(("axiom", "holds"), [("", True), ("Axiom bad : 1 = 0.\n", False)])
+def test_a_lemma_that_rests_on_another_axiom_is_not_accepted(axiom, holds):
+    by = "exact bad" if axiom else "lra"
+    goal = "1 = 0" if axiom else "1 + 1 = 2"
+    text = f"{OPENING}{axiom}Lemma one : {goal}.\nProof. {by}. Qed.\nPrint Assumptions one.\n"
+    assert accepted(text, 60) == holds

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Any
 
 from corollary.atomic import write_whole
 from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
+from corollary.derive.solution import Solution
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import home
 from corollary.verify.certificate.check import NoChecker, checker, unproven
 from corollary.verify.certificate.lemmas import Lemma
 from corollary.verify.certificate.record import keep
 from corollary.verify.certificate.script import CertifiedStep, certificate, script
+from corollary.verify.obligations.settle import settled
 
 
 def run(code: str, bank: Path | None, output: Path | None, check: bool, as_json: bool) -> int:
@@ -35,6 +38,7 @@ def run(code: str, bank: Path | None, output: Path | None, check: bool, as_json:
     record: dict[str, Any] = {"code": problem.code, "script": str(path)}
     if check:
         record |= keep(place, problem, text, by, proven)
+    by_algebra = _proven_by_algebra(solution) if failed else frozenset[str]()
     rows = [(step, each, _outcome(each, failed, by)) for step in steps for each in step.lemmas]
     if as_json:
         record["claims"] = [
@@ -44,7 +48,33 @@ def run(code: str, bank: Path | None, output: Path | None, check: bool, as_json:
         answer(record)
     else:
         _show(rows, path, by)
+    for step, each, outcome in rows:
+        if outcome == "not proven" and each.claim in by_algebra:
+            print(
+                f"{problem.code}: {each.claim} (part {step.part or 'none'}): verify proves it by algebra, the kernel does not; "
+                "do not rely on it before it is known why",
+                file=sys.stderr,
+            )
     return FAILS if failed else HOLDS
+
+
+def _proven_by_algebra(solution: Solution) -> frozenset[str]:
+    """The claims, in the certificate's words, that `verify` proves by algebra."""
+    found = {
+        (each.kind, each.claim)
+        for each in settled(solution, 0)
+        if each.by == "algebra" and each.outcome == "proven"
+    }
+    words = set[str]()
+    for find in (
+        find for case in (solution, *(each.solution for each in solution.regimes)) for find in case.unknowns
+    ):
+        names = ", ".join(find.names)
+        if ("laws hold", f"the laws of {names} hold for what is found") in found:
+            words.add(f"the laws hold for {names}")
+        if ("one root", f"{names} is the only admissible root of its laws") in found:
+            words.add(f"nothing else is {names}")
+    return frozenset(words)
 
 
 def _outcome(lemma: Lemma, failed: frozenset[str], by: str) -> str:

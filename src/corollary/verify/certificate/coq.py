@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any, assert_never
@@ -105,13 +106,20 @@ def _half(angle: Expr) -> Expr | None:
 
 
 def coq_name(name: str) -> str:
-    """A letter of ours as an identifier of Coq."""
+    """A letter of ours as an identifier of Coq: another one for each letter, since none of ours has an apostrophe."""
     if name == "pi":
         return "PI"
     ascii_name = "".join(
-        each if each.isascii() and (each.isalnum() or each == "_") else f"u{ord(each):x}" for each in name
+        each if each.isascii() and (each.isalnum() or each == "_") else f"'{ord(each):x}'" for each in name
     )
-    return f"{ascii_name}_" if ascii_name in RESERVED or ascii_name.startswith("_") else ascii_name
+    plain = ascii_name not in RESERVED and ascii_name[:1].isalpha()
+    return ascii_name if plain else f"x'{ascii_name}"
+
+
+def comment(text: str) -> str:
+    """A comment of Coq: comments nest there, and a quotation mark in one begins a text that hides its end."""
+    plain = "".join(each if each.isprintable() else " " for each in text).replace('"', "'")
+    return f"(* {re.sub(r'(?<=[(*])(?=[*)])', ' ', plain)} *)"
 
 
 def coq(tree: Expr) -> str:

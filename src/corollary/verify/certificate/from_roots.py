@@ -31,7 +31,7 @@ def combined(top: Any, equations: Sequence[tuple[int, Relation, RationalFunction
     if not terms or not rest.is_zero():
         return ""
     total = " + ".join(f"{polynomial(by)} * {polynomial(other)}" for by, _, other in terms)
-    rewritten = ", ".join(f"?R{place}" for place in dict.fromkeys(place for _, place, _ in terms))
+    rewritten = ", ".join(f"?R'{place}" for place in dict.fromkeys(place for _, place, _ in terms))
     return (
         f"apply (Rmult_eq_reg_l {polynomial(factor)}); "
         f"[ replace ({polynomial(factor)} * {polynomial(top)}) with ({total}) by ring; rewrite {rewritten}; ring | nonzero ]"

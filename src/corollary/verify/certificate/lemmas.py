@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from corollary.derive.solution import Solution, Unknown
 from corollary.formula.ast import Expr, Name, Number, Product, Quotient, Relation, names, substitute, walk
+from corollary.formula.ball import certified
 from corollary.formula.errors import Undefined
+from corollary.formula.rational_pi import RationalPi
 from corollary.formula.text import text
 from corollary.polynomials.polynomial import TooLarge
 from corollary.polynomials.rational_function import RationalFunction
 from corollary.polynomials.translate import Translation
-from corollary.verify.certificate.coq import NotAlgebraic, Roots, coq, coq_name, number, polynomial
+from corollary.problem.sampling import sample
+from corollary.problem.variant import Variant, chapter, first_broken
+from corollary.verify.certificate.coq import NotAlgebraic, Roots, comment, coq, coq_name, number, polynomial
 from corollary.verify.certificate.from_roots import combined, zero
+from corollary.verify.certificate.printed_example import TACTIC, witnesses
 from corollary.verify.obligations.box import Box
 from corollary.verify.obligations.obligation import Equations
 from corollary.verify.obligations.roots import only_roots
@@ -35,6 +40,9 @@ def lemmas(solution: Solution) -> Iterator[tuple[Unknown, list[Lemma]]]:
     """For each step of a derivation the lemmas that certify what it finds, for all numbers of the box."""
     box = Box(solution.problem)
     steps = [find for find in solution.unknowns if find.laws]
+    numbers = next(
+        (each.exact for each in _dealt(solution) if _kept(each, solution)), dict[str, RationalPi]()
+    )
     for find, owed in zip(steps, only_roots(solution), strict=True):
         found = ", ".join(find.names)
         stem = "_".join(map(coq_name, find.names))
@@ -44,10 +52,33 @@ def lemmas(solution: Solution) -> Iterator[tuple[Unknown, list[Lemma]]]:
                 raise NotAlgebraic(owed.open or "its laws are no algebraic equations")
             step, put_in = StepInCoq(box, owed.equations), StepInCoq(box, owed.equations, put_in=True)
             one, two = claims
-            yield find, [Lemma(*one, put_in.holds(one[0])), Lemma(*two, step.only(two[0]))]
+            proofs = [Lemma(*one, put_in.holds(one[0])), Lemma(*two, step.only(two[0]))]
         except (NotAlgebraic, TooLarge, Undefined, ValueError) as error:
             why = str(error) or "its polynomials are too large"
             yield find, [Lemma(*claim, why=why) for claim in claims]
+            continue
+        shown = f"{stem}_example", f"the printed numbers fulfil what is taken for granted of {found}"
+        try:
+            yield find, [*proofs, Lemma(*shown, step.example(shown[0], numbers))]
+        except (NotAlgebraic, Undefined, KeyError) as error:
+            yield find, [*proofs, Lemma(*shown, why=str(error) or "it has no value there")]
+
+
+def _dealt(solution: Solution) -> Iterator[Variant]:
+    """The printed numbers; where they are not among those that are dealt, or not of this case, others."""
+    yield chapter(solution.problem)
+    yield from sample(solution.problem, 100)
+
+
+def _kept(variant: Variant, solution: Solution) -> bool:
+    try:
+        return first_broken(variant) is None and all(
+            certified(tree, variant.exact).proven
+            for find in solution.unknowns
+            for tree in find.in_givens or ()
+        )
+    except Undefined:
+        return False
 
 
 class StepInCoq:
@@ -126,6 +157,20 @@ class StepInCoq:
         )
         return self._lemma(name, given, goal, self._uniqueness(), unknowns=self.unknowns)
 
+    def example(self, name: str, numbers: Mapping[str, RationalPi]) -> str:
+        """Numbers that fulfil all hypotheses of `only`, laws and conditions among them."""
+        given = {each: numbers[each] for each in self.givens}
+        found = witnesses(given, self.roots.made, self.meant)
+        letters = [*self.givens, *self.roots.made.values(), *self.meant]
+        every = [coq(each) for each in (*self.roots.known, *self.laws, *self.where, *self._divided_by())]
+        goals = [*self.bounds, *self.conditions, *every]
+        if any("PI" in each for each in goals):
+            raise NotAlgebraic("pi stands in what is taken for granted")
+        body = " /\\\n    ".join(goals)
+        binder = f"exists {' '.join(map(coq_name, letters))} : R,\n    " if letters else ""
+        chosen = f"  exists {', '.join(number(found[each]) for each in letters)}.\n" if letters else ""
+        return f"Lemma {name} : {binder}{body}.\nProof.\n{chosen}  repeat split; {TACTIC}.\nQed.\n"
+
     def _divided_by(self) -> list[Relation]:
         """The laws say nothing where they divide an unknown by zero; in Coq a quotient by zero is some number."""
         bottoms = dict.fromkeys(
@@ -143,12 +188,14 @@ class StepInCoq:
         ]
         known = [*self.bounds, *self.conditions, *map(coq, self.roots.known)]
         premises = "".join(f"  {each} ->\n" for each in (*known, *given))
-        remarks = "".join(f"(* {letter} is {text(tree)} *)\n" for tree, letter in self.roots.made.items())
+        remarks = "".join(
+            f"{comment(f'{letter} is {text(tree)}')}\n" for tree, letter in self.roots.made.items()
+        )
         binder = f"forall {' '.join(letters)} : R,\n" if letters else ""
         labels = (
-            " ".join(f"K{place}" for place in range(len(known)))
+            " ".join(f"K'{place}" for place in range(len(known)))
             + " "
-            + " ".join(f"L{place}" for place in range(len(given)))
+            + " ".join(f"L'{place}" for place in range(len(given)))
         )
         proof = self._roots_as_polynomials(len(self.bounds) + len(self.conditions)) + proof
         return f"{remarks}Lemma {name} : {binder}{premises}    {goal}.\nProof.\n  intros {' '.join(letters)} {labels}.\n{proof}\nQed.\n"
@@ -157,9 +204,10 @@ class StepInCoq:
         """What is known of the squares of roots without quotients, of which nsatz makes nothing; `place` is the first one's."""
         lines = [f"  subst {coq_name(name)}.\n" for name in self._put_into_roots()]
         for at, known, gap in self._equations_of_roots():
-            lines.append(f"  {zero(f'R{at}', gap, coq(known.left), coq(known.right))}\n")
+            shown = zero(f"R'{at}", gap, coq(known.left), coq(known.right))
+            lines.append(f"  {shown}\n")
             if not gap.bottom.is_constant():
-                lines.append(f"  clear K{place + at}.\n")
+                lines.append(f"  clear K'{place + at}.\n")
         return "".join(lines)
 
     def _put_into_roots(self) -> dict[str, Expr]:
@@ -197,8 +245,8 @@ class StepInCoq:
                 inner = self._identity(sides, squared=True).rstrip(".")
                 return f"apply Rsqr_inj; [ nonnegative | nonnegative | unfold Rsqr; {inner} ]."
         return (
-            f"first [ ring | {as_fractions} | apply Rminus_diag_uniq; assert (E : {top} = 0) by ({by_roots or 'equations'}); "
-            f"replace ({coq(goal.left)} - {coq(goal.right)}) with ({top} / {bottom}) by (field; nonzero); rewrite E; "
+            f"first [ ring | {as_fractions} | apply Rminus_diag_uniq; assert (E' : {top} = 0) by ({by_roots or 'equations'}); "
+            f"replace ({coq(goal.left)} - {coq(goal.right)}) with ({top} / {bottom}) by (field; nonzero); rewrite E'; "
             "unfold Rdiv; ring ]."
         )
 
@@ -211,14 +259,15 @@ class StepInCoq:
             lines += ["  repeat match goal with |- _ /\\ _ => split end."] if len(self.meant) > 1 else []
             for name, place in outright.items():
                 goal = Relation("=", self.laws[place].right, self.meant[name])
-                lines.append(f"  {{ try rewrite L{place}. {self._identity(goal)} }}")
+                lines.append(f"  {{ try rewrite L'{place}. {self._identity(goal)} }}")
             return "\n".join(lines)
         for place, law in enumerate(self.laws):
             gap = self._fraction(law.left) - self._fraction(law.right)
             tops.append(gap.top)
-            lines.append(f"  {zero(f'P{place}', gap, coq(law.left), coq(law.right))}")
+            shown = zero(f"P'{place}", gap, coq(law.left), coq(law.right))
+            lines.append(f"  {shown}")
         inverses = [
-            f"assert (exists i, i * {name} = 1) as [i{place} J{place}] by (exists (/ {name}); apply Rinv_l; nonzero)"
+            f"assert (exists i, i * {name} = 1) as [i'{place} J'{place}] by (exists (/ {name}); apply Rinv_l; nonzero)"
             for place, name in enumerate(self._divisors(tops))
         ]
         self.by_division = ""
@@ -230,8 +279,8 @@ class StepInCoq:
             first = self.unknowns[0]
             meant, other = (self._off(first, each[first]) for each in (self.meant, self.rejected[0]))
             lines += [
-                f"  assert (E : {polynomial(meant.top)} * {polynomial(other.top)} = 0) by solved.",
-                "  destruct (Rmult_integral _ _ E) as [F | F]; [ left | right ];",
+                f"  assert (E' : {polynomial(meant.top)} * {polynomial(other.top)} = 0) by solved.",
+                "  destruct (Rmult_integral _ _ E') as [F' | F']; [ left | right ];",
                 "  repeat match goal with |- _ /\\ _ => split end.",
             ]
             for each in (self.meant, self.rejected[0]):
@@ -270,12 +319,12 @@ class StepInCoq:
         if self.where:
             turned = self._fraction(Name(name)) + self._fraction(tree)
             by_sign = (
-                f" | assert (T : {top} * {polynomial(turned.top)} = 0) by {solved}; "
-                "destruct (Rmult_integral _ _ T) as [U | U]; [ exact U | first [ lra | nra ] ]"
+                f" | assert (T' : {top} * {polynomial(turned.top)} = 0) by {solved}; "
+                "destruct (Rmult_integral _ _ T') as [U' | U']; [ exact U' | first [ lra | nra ] ]"
             )
         return (
-            f"  {{ assert (Z : {top} = 0) by (first [ {solved}{by_sign} ]). apply Rminus_diag_uniq.\n"
-            f"    replace ({sides}) with ({top} / {bottom}) by (field; nonzero). rewrite Z. unfold Rdiv. ring. }}"
+            f"  {{ assert (Z' : {top} = 0) by (first [ {solved}{by_sign} ]). apply Rminus_diag_uniq.\n"
+            f"    replace ({sides}) with ({top} / {bottom}) by (field; nonzero). rewrite Z'. unfold Rdiv. ring. }}"
         )
 
     def _off(self, name: str, tree: Expr) -> RationalFunction:

@@ -6,6 +6,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from corollary.derive.solution import Solution
+from corollary.verify.certificate.coq import comment
 from corollary.verify.certificate.lemmas import Lemma, lemmas
 
 OPENING = """\
@@ -50,25 +51,33 @@ def certificate(solution: Solution) -> list[CertifiedStep]:
 
 def script(solution: Solution, steps: Sequence[CertifiedStep], without: Collection[str] = ()) -> str:
     """The whole file; lemmas named in `without` are left out, with a remark."""
-    problem = solution.problem
+    problem, written = solution.problem, list[str]()
     lines = [
-        f"(* {problem.code}: {problem.title}. Each lemma holds for all numbers between the bounds. *)",
+        comment(
+            f"{problem.code}: {problem.title}. Each lemma holds for all numbers between the bounds; the last lines say on which axioms."
+        ),
         OPENING,
     ]
     for step in steps:
         part = f" (part {step.part})" if step.part else ""
         for each in step.lemmas:
             if each.text and each.name not in without:
-                lines.append(f"(* {each.claim}{part} *)\n{each.text}")
+                lines.append(f"{comment(each.claim + part)}\n{each.text}")
+                written.append(each.name)
             else:
                 why = each.why or "these tactics do not prove it"
-                lines.append(f"(* not here: {each.claim}{part}; {why} *)\n")
-    return "\n".join(lines)
+                lines.append(comment(f"not here: {each.claim}{part}; {why}") + "\n")
+    return "\n".join([*lines, *map(assumptions, written), ""])
+
+
+def assumptions(name: str) -> str:
+    """The command that tells on which axioms a lemma rests."""
+    return f"Print Assumptions {name}."
 
 
 def alone(lemma: Lemma) -> str:
     """A file with one lemma."""
-    return f"{OPENING}\n{lemma.text}"
+    return f"{OPENING}\n{lemma.text}\n{assumptions(lemma.name)}\n"
 
 
 def _named_apart(lemma: Lemma, seen: dict[str, int]) -> Lemma:
