@@ -8,6 +8,7 @@ from contextlib import AbstractContextManager, contextmanager
 from itertools import islice
 
 from corollary.grading.submission import GradingContext, Submission
+from corollary.guard import ends_after
 from corollary.messages import speak
 from corollary.nbgrader.graded import GradedSubmission, grade_submission, not_graded
 from corollary.parallel import ProcessDied, Processes, cores
@@ -17,6 +18,7 @@ from corollary.sandbox.runner import Runner
 Execute = Callable[[GradingContext, Iterable[Submission]], AbstractContextManager[Iterator[GradedSubmission]]]
 AHEAD = 2  # submissions at a time for each worker: enough that none is idle, few enough to hold in memory
 WORTH_A_WORKER = 6  # a warm process takes about as long to start as marking this many
+LONGEST = 150.0  # seconds of the processor; marking and writing a page stop themselves before, unless inside a library
 
 _at_work: list[tuple[GradingContext, Runner]] = []  # of a worker process: what it marks with
 
@@ -96,4 +98,5 @@ def _begin(context: GradingContext) -> None:
 def _grade(submission: Submission) -> GradedSubmission:
     """In a worker. Its runner starts with the first submission, so that a failure to start is reported like any other."""
     context, runner = _at_work[0]
-    return grade_submission(context, runner, submission)
+    with ends_after(LONGEST):
+        return grade_submission(context, runner, submission)
