@@ -18,6 +18,7 @@ from collections import Counter
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 from corollary.formula.value import (
     Complex,
@@ -109,7 +110,7 @@ def changed(draw: random.Random, content: bytes) -> bytes:
     return bytes(raw)
 
 
-def bent(draw: random.Random, node: object, depth: int = 0) -> object:
+def bent(draw: random.Random, node: Any, depth: int = 0) -> Any:
     """A notebook's data with some of its values exchanged for others, of any type."""
     if draw.random() < 0.004:
         return draw.choice(
