@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from urllib.request import urlopen
@@ -19,6 +19,7 @@ import pytest
 from babel.messages.catalog import Catalog
 from babel.messages.mofile import write_mo
 from hypothesis import settings
+from tests import programs
 
 from corollary import messages, plug_ins
 
@@ -36,11 +37,25 @@ def pytest_configure(config) -> None:
     os.environ.pop("COLUMNS", None)
     if "PYTEST_XDIST_WORKER" not in os.environ:
         config.stash_folder = os.environ["XDG_CACHE_HOME"] = tempfile.mkdtemp(prefix="corollary-tests-")
+        config.stash_programs = os.environ[programs.FOLDER] = tempfile.mkdtemp(prefix="corollary-programs-")
+        programs.make_folder(Path(config.stash_programs))
 
 
 def pytest_unconfigure(config) -> None:
     if "PYTEST_XDIST_WORKER" not in os.environ:
         shutil.rmtree(config.stash_folder, ignore_errors=True)
+        shutil.rmtree(config.stash_programs, ignore_errors=True)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object]:
+    """A test that no marker keeps out of `make test` finds the programs of a bare machine, and its fixtures do."""
+    before = os.environ["PATH"]
+    os.environ["PATH"] = programs.path_for(item) or before
+    try:
+        return (yield)
+    finally:
+        os.environ["PATH"] = before
 
 
 AXE = "axe-core@4.14.1"

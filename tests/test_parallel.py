@@ -1,4 +1,4 @@
-"""Processes beside this one: one that is killed at whatever moment costs what it was at, and nobody waits for ever."""
+"""Workers beside this one: one that is killed at whatever moment costs what it was at, and nobody waits for ever."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from threading import Thread
 
 import pytest
 
-from corollary.parallel import ProcessDied, Processes
+from corollary.parallel import ProcessDied, Workers
 
 LONG = 60  # seconds: none of what is waited for here takes one
 LARGE = 2_000_000  # bytes: many times what a pipe holds
@@ -60,7 +60,7 @@ def outcomes(futures: Sequence[Future[bytes]]) -> list[bytes | None]:
 
 def test_all_of_it_is_done_whatever_its_size() -> None:
     texts = [bytes([place]) * (LARGE if place % 2 else 1) for place in range(20)]
-    with Processes(3, nothing) as processes:
+    with Workers(3, nothing) as processes:
         assert outcomes([processes.submit(returned, text) for text in texts]) == texts
 
 
@@ -69,7 +69,7 @@ def test_all_of_it_is_done_whatever_its_size() -> None:
 def test_a_process_that_dies_costs_what_it_was_at(count: int, size: int) -> None:
     """Also where much more is waiting than a pipe holds, and where no process is left."""
     text = b"a" * size
-    with Processes(count, nothing) as processes:
+    with Workers(count, nothing) as processes:
         deadly = processes.submit(killed, text)
         others = [processes.submit(returned, text) for _ in range(8)]
         with pytest.raises(ProcessDied):
@@ -85,7 +85,7 @@ def test_killed_at_random_moments(seed: int) -> None:
     """While it waits, works, takes a task or gives its result, of which the half may be on the way."""
     chance = random.Random(seed)
     texts = [bytes([place]) * chance.choice((1, 100_000, 10 * LARGE)) for place in range(12)]
-    with Processes(2, nothing) as processes:
+    with Workers(2, nothing) as processes:
         victim = processes.submit(os.getpid).result(timeout=LONG)
         futures = [processes.submit(slept, chance.uniform(0, 0.01), text) for text in texts]
         moment = chance.uniform(0, 0.15)
@@ -98,7 +98,7 @@ def test_killed_at_random_moments(seed: int) -> None:
 
 
 def test_what_the_work_raises_is_raised_here_and_the_process_goes_on() -> None:
-    with Processes(1, nothing) as processes:
+    with Workers(1, nothing) as processes:
         with pytest.raises(ZeroDivisionError) as error:
             processes.submit(divided, 0).result(timeout=LONG)
         assert "in divided" in error.value.__notes__[0]
@@ -110,7 +110,7 @@ def test_what_the_work_raises_is_raised_here_and_the_process_goes_on() -> None:
 
 
 def test_what_has_not_begun_is_cancelled_when_they_are_left() -> None:
-    with Processes(1, nothing) as processes:
+    with Workers(1, nothing) as processes:
         begun = [processes.submit(slept, 0.2, b"") for _ in range(20)]
         begun[0].result(timeout=LONG)
     assert begun[-1].cancelled()
@@ -118,5 +118,5 @@ def test_what_has_not_begun_is_cancelled_when_they_are_left() -> None:
 
 
 def test_one_that_cannot_begin_has_died() -> None:
-    with Processes(2, killed, b"") as processes:
+    with Workers(2, killed, b"") as processes:
         assert outcomes([processes.submit(returned, b"") for _ in range(3)]) == [None] * 3

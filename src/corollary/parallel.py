@@ -31,7 +31,7 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
 
 
-class Processes:
+class Workers:
     """So many processes, each with one task at a time; when left, tasks not begun are cancelled and the others awaited.
 
     Each has a pipe and a thread of its own: one that is killed, at whatever moment, costs the task it was at, and the others go

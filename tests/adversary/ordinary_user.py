@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pwd
 import sys
 import tempfile
 from pathlib import Path
@@ -20,6 +21,14 @@ def main() -> None:
     os.execv(sys.executable, [sys.executable, script, *arguments])
 
 
+def _group() -> int:
+    """Return the account's own group, so that no two accounts share one."""
+    try:
+        return pwd.getpwuid(ACCOUNT).pw_gid
+    except KeyError:
+        return NOBODY
+
+
 def _become_ordinary() -> None:
     interpreter = Path(sys.base_prefix)
     closed = [folder for folder in reversed(interpreter.parents) if not folder.stat().st_mode & 0o001]
@@ -31,10 +40,13 @@ def _become_ordinary() -> None:
         aside = tempfile.mkdtemp()
         mount(str(interpreter), aside, None, MS_BIND | MS_REC)
         mount("open", str(closed[0]), "tmpfs", 0, "mode=755")
+        umask = os.umask(0o022)  # a stricter one is for the script alone
         interpreter.mkdir(parents=True)
+        os.umask(umask)
         mount(aside, str(interpreter), None, MS_BIND | MS_REC)
     os.setgroups([])
-    os.setresgid(NOBODY, NOBODY, NOBODY)
+    group = _group()
+    os.setresgid(group, group, group)
     os.setresuid(ACCOUNT, ACCOUNT, ACCOUNT)
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from functools import cache
 
 import pytest
 from tests.content.question_texts import question_texts
+from tests.pdf_text import text_of
 
 from corollary.derive.solution import Solution
 from corollary.grading.assign import admitted
@@ -41,11 +40,7 @@ def keys(code: str) -> tuple[Key, ...]:
 
 def texts(key: Key) -> dict[str, str]:
     found = question_texts(SOLUTIONS, key)
-    if shutil.which("pdftotext") is None:  # apt install poppler-utils; .ci/run has it
-        return found
-    pdf = write_exercise(exercise(key.variant), Student("", ""), "")
-    done = subprocess.run(["pdftotext", "-layout", "-", "-"], input=pdf, capture_output=True, check=True)
-    return found | {"the PDF": done.stdout.decode()}
+    return found | {"the PDF": text_of(write_exercise(exercise(key.variant), Student("", ""), ""))}
 
 
 def not_for_this_text(what: Part | Given, key: Key, text: str) -> bool:

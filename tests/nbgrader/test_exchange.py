@@ -19,7 +19,7 @@ pytest.importorskip("nbgrader")
 
 from corollary.course.generate import generate
 from corollary.grading.solutions import Solutions
-from corollary.nbgrader.exchange import open_for
+from corollary.nbgrader.rights import access_list, open_for
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
@@ -60,7 +60,11 @@ class Hub:
         return self.folder / who.pw_name
 
     def run(
-        self, who: pwd.struct_passwd | None, *words: object, program: Path = NBGRADER
+        self,
+        who: pwd.struct_passwd | None,
+        *words: object,
+        program: Path = NBGRADER,
+        umask: int = 0o022,
     ) -> subprocess.CompletedProcess[str]:
         """A command of nbgrader's or ours, by a student or by the instructor, who is root or an account."""
         home = self.course if who in (None, TEACHER) else self.home(who)
@@ -69,7 +73,7 @@ class Hub:
         about |= {} if who is None else {"AS_ACCOUNT": who.pw_uid}
         return subprocess.run(
             list(map(str, (*by, program, *words))), cwd=home, env={name: str(value) for name, value in about.items()},
-            capture_output=True, encoding="utf-8", timeout=200, check=False,
+            capture_output=True, encoding="utf-8", timeout=200, check=False, umask=umask,
         )  # fmt: skip
 
 
@@ -211,6 +215,93 @@ def test_an_instructor_who_is_not_root_opens_each_sheet_for_its_student_alone(hu
         for place in (theirs, theirs / "one.ipynb"):
             assert may_read(hub, who, place) is False
     assert may_read(hub, TEACHER, hub.outbound / ADA.pw_name)
+
+
+UMASKS = (0o022, 0o027, 0o077)
+
+
+def all_the_way(hub: Hub, umask: int, *students: pwd.struct_passwd) -> None:
+    """Release, fetch, submit, collect, grade and feedback, everybody with an account and this umask."""
+    for path in (hub.course, *hub.course.rglob("*")):
+        shutil.chown(path, TEACHER.pw_uid, TEACHER.pw_gid)
+
+    def done(who: pwd.struct_passwd, *words: object, program: Path = NBGRADER) -> str:
+        found = hub.run(who, *words, program=program, umask=umask)
+        assert found.returncode == 0, found.stderr
+        assert "Traceback" not in found.stderr
+        return found.stderr
+
+    done(TEACHER, "release_assignment", "one")
+    for who in students:
+        done(who, "fetch_assignment", "one")
+        sheet = hub.home(who) / "one" / "one.ipynb"
+        assert "system.posix_acl_access" not in {*os.listxattr(sheet), *os.listxattr(sheet.parent)}
+        done(who, "submit", "one")
+    done(TEACHER, "collect", "one")
+    done(TEACHER, "collect", "one", "--update")
+    done(TEACHER, "grade", "one", program=COROLLARY)
+    done(TEACHER, "release_feedback", "one")
+    for who in students:
+        handed_in = hub.course / "submitted" / who.pw_name / "one" / "one.ipynb"
+        assert json.loads(notebook(handed_in))["metadata"]["corollary"]["student"] == who.pw_name
+        done(who, "fetch_feedback", "one")
+        (page,) = (hub.home(who) / "one" / "feedback").glob("*/*.html")
+        assert page.read_bytes() == (hub.course / "feedback" / who.pw_name / "one" / "one.html").read_bytes()
+
+
+@pytest.mark.parametrize("umask", UMASKS)
+def test_all_the_way_with_an_instructor_who_is_not_root(hub: Hub, umask: int) -> None:
+    all_the_way(hub, umask, ADA, BEN)
+
+
+def test_whatever_rights_a_student_gives_the_own_files(hub: Hub) -> None:
+    """A sheet fetched by an earlier version has the list by which it was opened for its student; Ben allows himself to read."""
+    for path in (hub.course, *hub.course.rglob("*")):
+        shutil.chown(path, TEACHER.pw_uid, TEACHER.pw_gid)
+    assert hub.run(TEACHER, "release_assignment", "one").returncode == 0
+    for who in (ADA, BEN):
+        assert hub.run(who, "fetch_assignment", "one").returncode == 0
+    for place in (hub.home(ADA) / "one", hub.home(ADA) / "one" / "one.ipynb"):
+        os.setxattr(place, "system.posix_acl_access", access_list(ADA.pw_uid, 5))
+    (hub.home(BEN) / "one" / "one.ipynb").chmod(0o400)
+    (hub.home(BEN) / "one").chmod(0o500)
+    for again in ((), ("--update",)):
+        for who in (ADA, BEN):
+            done = hub.run(who, "submit", "one")
+            assert done.returncode == 0, done.stderr
+        done = hub.run(TEACHER, "collect", "one", *again)
+        assert done.returncode == 0, done.stderr
+        for who in (ADA, BEN):
+            assert (hub.course / "submitted" / who.pw_name / "one" / "one.ipynb").is_file()
+
+
+@pytest.mark.parametrize("harm", ["closed", "link", "pipe", "name", "large"])
+def test_what_one_student_hands_in_keeps_no_other_from_being_collected(hub: Hub, harm: str) -> None:
+    for path in (hub.course, *hub.course.rglob("*")):
+        shutil.chown(path, TEACHER.pw_uid, TEACHER.pw_gid)
+    assert hub.run(TEACHER, "release_assignment", "one").returncode == 0
+    for who in (ADA, BEN):
+        for words in ("fetch_assignment", "submit"):
+            assert hub.run(who, words, "one").returncode == 0
+    (place,) = (hub.folder / "exchange" / "course" / "inbound").glob(f"{ADA.pw_name}+one+*")
+    match harm:
+        case "closed":
+            place.chmod(0o700)
+        case "link":
+            (place / "other.ipynb").symlink_to(hub.course / "gradebook.db")
+        case "pipe":
+            os.mkfifo(place / "other.ipynb")
+        case "name":
+            place.rename(place.with_name(f"{ADA.pw_name}+one+yesterday"))
+        case _:
+            with (place / "data.ipynb").open("wb") as file:
+                file.truncate(200_000_000)
+    done = hub.run(TEACHER, "collect", "one")
+    assert done.returncode == 0, done.stderr
+    assert f"of {ADA.pw_name} is left out" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert (hub.course / "submitted" / BEN.pw_name / "one" / "one.ipynb").is_file()
+    assert not (hub.course / "submitted" / ADA.pw_name / "one").exists()
 
 
 def may_read(hub: Hub, who: pwd.struct_passwd, place: Path) -> bool:

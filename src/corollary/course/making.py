@@ -14,7 +14,7 @@ from corollary.grading.solutions import Solutions
 from corollary.messages import speak, spoken
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
-from corollary.parallel import ProcessDied, Processes, cores
+from corollary.parallel import ProcessDied, Workers, cores
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant
@@ -50,7 +50,7 @@ class Makers:
     course: Course
     problem_set: ProblemSet
     solutions: Solutions
-    pool: Processes | None = field(default=None)
+    pool: Workers | None = field(default=None)
 
     def draw(self, students: Sequence[str]) -> Iterator[Drawn]:
         """In the order of the students. Raises NoVariant."""
@@ -94,7 +94,7 @@ def makers(
         return
     for problem in problem_set.problems:
         solutions.of(problem)  # once, before there are processes that would each do it
-    with Processes(most, _start, here, spoken()) as here.pool:
+    with Workers(most, _start, here, spoken()) as here.pool:
         yield here
 
 

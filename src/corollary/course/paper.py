@@ -10,7 +10,7 @@ from itertools import product
 from typing import TypeVar
 
 from corollary.messages import speak, spoken
-from corollary.parallel import ProcessDied, Processes, cores
+from corollary.parallel import ProcessDied, Workers, cores
 from corollary.problem.roster import Student
 from corollary.render.paper.print_run import Pages, PrintRun
 
@@ -34,7 +34,7 @@ def print_files(run: PrintRun, done: Callable[[str], None]) -> dict[str, bytes]:
     if cores() < 2 or len(run.sheets) < WORTH_A_POOL:
         pages = [run.pages(sheet) for sheet in run.sheets]
         return _collected(run, map(run.printed, run.sheets, pages), done) | run.together(pages)
-    with Processes(cores(), _start, run, spoken()) as pool:
+    with Workers(cores(), _start, run, spoken()) as pool:
         written = [pool.submit(_pages, at) for at in range(len(run.sheets))]
         pages = [
             _result(future, partial(run.pages, sheet))

@@ -11,7 +11,7 @@ from corollary.grading.submission import GradingContext, Submission
 from corollary.guard import ends_after
 from corollary.messages import speak
 from corollary.nbgrader.graded import GradedSubmission, grade_submission, not_graded
-from corollary.parallel import ProcessDied, Processes, cores
+from corollary.parallel import ProcessDied, Workers, cores
 from corollary.sandbox.folders import remove_abandoned
 from corollary.sandbox.runner import Runner
 
@@ -86,8 +86,8 @@ def _alone(context: GradingContext, submission: Submission) -> GradedSubmission:
             return not_graded(context, submission, "the process that marked it died, twice")
 
 
-def _processes(context: GradingContext, count: int) -> Processes:
-    return Processes(count, _begin, context)
+def _processes(context: GradingContext, count: int) -> Workers:
+    return Workers(count, _begin, context)
 
 
 def _begin(context: GradingContext) -> None:

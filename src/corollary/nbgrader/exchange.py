@@ -1,7 +1,8 @@
 """nbgrader's exchange in a course of ours: each student gets the own sheet, in a folder that nobody else can read.
 
 `outbound/SET/STUDENT/` belongs to the student and is closed to all others, so that it does not matter what a student's own
-configuration says. Where that cannot be had, nothing is released, and a sentence says what to do instead.
+configuration says. Where that cannot be had, nothing is released, and a sentence says what to do instead. What is fetched,
+handed in and collected has ordinary rights again.
 """
 
 # pyright: reportUnknownMemberType=false
@@ -10,13 +11,15 @@ from __future__ import annotations
 
 import os
 import shutil
-import struct
 import sys
+from collections.abc import Iterator
+from datetime import datetime
 from pathlib import Path
-from typing import cast
+from typing import Any, cast
 
 from nbgrader.coursedir import CourseDirectory
 from nbgrader.exchange.default import (
+    ExchangeCollect,
     ExchangeFetchAssignment,
     ExchangeReleaseAssignment,
     ExchangeReleaseFeedback,
@@ -26,6 +29,7 @@ from nbgrader.utils import get_username
 
 from corollary.atomic import write_whole
 from corollary.messages import few
+from corollary.nbgrader.rights import FILE_RIGHTS, make_ordinary, open_for
 from corollary.records.assigned import is_assigned
 from corollary.records.files import BESIDE, Course, open_course, students
 from corollary.records.hand_in_time import beside
@@ -33,7 +37,7 @@ from corollary.records.marks import feedback_place
 
 INSTEAD = "give the sheets out with corollary release --to zip, mail, moodle or canvas instead"
 MOST_NAMED = 5
-ACCESS_LIST, READ, SEARCH = "system.posix_acl_access", 4, 5
+NO_TIME = datetime.min
 
 
 class ReleaseOwnSheets(ExchangeReleaseAssignment):
@@ -98,35 +102,17 @@ class ReleaseOwnSheets(ExchangeReleaseAssignment):
             self.fail(f"{path} cannot be opened for its student alone ({error.strerror}); {INSTEAD}")
 
 
-def open_for(path: Path, account: int) -> None:
-    """Lets an account read what nobody else but its owner can: by root it becomes the owner; anybody else writes it into the
-    access list of what is the own. Raises OSError where the file system has no such lists."""
-    if os.geteuid() == 0:
-        os.chown(path, account, -1)
-    else:
-        os.setxattr(path, ACCESS_LIST, access_list(account, SEARCH if path.is_dir() else READ))
-
-
-def access_list(account: int, rights: int) -> bytes:
-    """Linux's access list (acl(5), `posix_acl_xattr.h`) by which the owner may do everything, the account this, and nobody else
-    anything."""
-    everything, nothing, of_none = 7, 0, 0xFFFFFFFF
-    entries = (
-        (0x01, everything, of_none),  # the owner
-        (0x02, rights, account),
-        (0x04, nothing, of_none),  # the group
-        (0x10, rights, of_none),  # the most that an account or the group gets
-        (0x20, nothing, of_none),  # all others
-    )
-    return struct.pack("<I", 2) + b"".join(struct.pack("<HHI", *each) for each in entries)
-
-
 class FetchOwnSheet(ExchangeFetchAssignment):
     """Fetch: from the student's own folder, where there are such. Students' nbgrader needs it in its configuration."""
 
     def init_src(self) -> None:
         super().init_src()
         self.src_path = _own(self.src_path, cast(CourseDirectory, self.coursedir))
+
+    def do_copy(self, src: str, dest: str) -> None:
+        """The list by which the sheet was opened for its student does not go home with it, nor on to inbound."""
+        super().do_copy(src, dest)
+        make_ordinary(Path(dest))
 
 
 class SubmitOwnSheet(ExchangeSubmit):
@@ -135,6 +121,56 @@ class SubmitOwnSheet(ExchangeSubmit):
     def init_release(self) -> None:
         super().init_release()
         self.release_path = _own(self.release_path, cast(CourseDirectory, self.coursedir))
+
+    def do_copy(self, src: str, dest: str, log: Any = None) -> None:
+        """Whatever rights the student's files have, the instructor can read the copy, and the student add the time to it."""
+        super().do_copy(src, dest, log)
+        make_ordinary(Path(dest))
+
+
+class CollectFromEach(ExchangeCollect):
+    """Collect: what one student handed in cannot keep the others' from being collected. Who is left out is named."""
+
+    def _path_to_record(self, path: str) -> dict[str, Any]:
+        try:
+            return cast(dict[str, Any], super()._path_to_record(path))
+        except Exception:  # anybody may give a folder in inbound any name
+            name = os.path.basename(path)
+            return {"username": name.partition("+")[0], "filename": name, "timestamp": NO_TIME}
+
+    def copy_files(self) -> None:
+        to_collect: list[dict[str, Any]] = []
+        for each in self.src_records:
+            if fault := self._fault(each):
+                self._leave_out(each["username"], each["filename"], fault)
+            else:
+                to_collect.append(each)
+        self.src_records = to_collect
+        super().copy_files()
+
+    def do_copy(self, src: str, dest: str, log: Any = None) -> None:
+        try:
+            super().do_copy(src, dest, log)
+        except (OSError, RuntimeError) as error:  # it changed since it was looked at
+            shutil.rmtree(dest, ignore_errors=True)
+            self._leave_out(Path(dest).parent.name, os.path.basename(src), str(error))
+            return
+        make_ordinary(Path(dest), shared=bool(cast(CourseDirectory, self.coursedir).groupshared))
+
+    def _fault(self, record: dict[str, Any]) -> str:
+        """Why it cannot be collected; empty where it can."""
+        place = os.path.join(str(self.inbound_path), record["filename"])
+        most = 1000 * cast(CourseDirectory, self.coursedir).max_dir_size
+        if record["timestamp"] == NO_TIME:
+            return "its name holds no time"
+        if unreadable := next(_unreadable(place), None):
+            return f"{os.path.relpath(unreadable, place)} cannot be read, or is neither a file nor a folder"
+        return f"it is larger than {most // 1_000_000} MB" if self.get_size(place) > most else ""
+
+    def _leave_out(self, student: str, name: str, fault: str) -> None:
+        self.log.warning(
+            "The hand-in %s of %s is left out: %s; ask %s to submit again", name, student, fault, student
+        )
 
 
 class ReleaseOwnFeedback(ExchangeReleaseFeedback):
@@ -162,6 +198,22 @@ class ReleaseOwnFeedback(ExchangeReleaseFeedback):
                 (*filter(None, (coursedir.student_id_exclude,)), *without)
             )
         super().copy_files()
+        for page in Path(str(self.dest_path)).glob("*.html"):  # known by its name to its student alone
+            if page.stat().st_uid == os.geteuid():
+                page.chmod(FILE_RIGHTS)
+
+
+def _unreadable(place: str) -> Iterator[str]:
+    """What in a folder cannot be read, or is a link or device, which may lead anywhere."""
+    if os.path.islink(place) or not os.path.isdir(place) or not os.access(place, os.R_OK | os.X_OK):
+        yield place
+        return
+    with os.scandir(place) as entries:
+        for each in entries:
+            if each.is_dir(follow_symlinks=False):
+                yield from _unreadable(each.path)
+            elif not each.is_file(follow_symlinks=False) or not os.access(each.path, os.R_OK):
+                yield each.path
 
 
 def _own_sheets(root: Path, name: str) -> dict[str, Path]:

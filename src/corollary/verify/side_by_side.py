@@ -6,7 +6,7 @@ from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import Future
 from contextlib import AbstractContextManager, contextmanager
 
-from corollary.parallel import ProcessDied, Processes, cores
+from corollary.parallel import ProcessDied, Workers, cores
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.sandbox.folders import remove_abandoned
@@ -34,7 +34,7 @@ def verify_each(todo: Todo, count: int, jobs: int | None = None) -> Generator[It
             yield map(here, range(len(todo)))
             return
         try:
-            with Processes(most, _begin, todo, count) as processes:
+            with Workers(most, _begin, todo, count) as processes:
                 begun = {place: processes.submit(_there, place) for place in longest_first(todo)}
                 yield _in_order([begun[place] for place in range(len(todo))], here)
         finally:
