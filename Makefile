@@ -28,7 +28,7 @@ define install
 		| { grep --line-buffered --invert-match -e 'already satisfied' -e '\.metadata' -e '^Looking in' || true; }
 endef
 
-.PHONY: setup demo test test-all lint messages site clean
+.PHONY: setup demo test test-long test-all lint messages site clean
 
 setup: $(DEMO)
 	@echo "== done: $(BIN)/corollary --help"
@@ -59,13 +59,19 @@ $(LINT): $(TEST)
 demo: $(DEMO)
 	@$(BIN)/corollary demo demo
 
-# The tests a change is tried with, in under ten minutes on two cores; `make test-all` adds the long ones and those with a browser or a client.
+# The tests a change is tried with, in under ten minutes on two cores; `make test-long` has those that it leaves out: the long ones and
+# those with a browser or a client; `make test-all` has both.
 test: $(TEST)
 	@$(BIN)/python -m pytest -n $(JOBS) --dist loadfile -m "$(LATER)"
 
 # A page that a loaded machine draws too late is opened once more; nothing else gets a second try.
+AGAIN := --reruns 1 --only-rerun '[Tt]imeout:? [0-9]+ ?ms'
+
+test-long: $(ALL)
+	@$(BIN)/python -m pytest -n $(JOBS) --dist loadfile $(AGAIN) -m "not ($(LATER))"
+
 test-all: $(ALL)
-	@$(BIN)/python -m pytest -n $(JOBS) --dist loadfile --reruns 1 --only-rerun '[Tt]imeout:? [0-9]+ ?ms'
+	@$(BIN)/python -m pytest -n $(JOBS) --dist loadfile $(AGAIN)
 
 lint: $(LINT)
 	@$(BIN)/ruff check src tests solutions benchmarks examples
