@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from corollary.audit.examine import examine
 from corollary.audit.mistaken import mistake_in
+from corollary.audit.record import ForgivenError
+from corollary.audit.record_file import records_in
 
 THROW = """
 - id: throw
@@ -375,3 +379,28 @@ def test_a_sign_is_a_matter_of_direction_only_where_there_is_one(
     text = f"- {{id: a, given: {{{given}}}, laws: ['{law}'], asked: {asked}, published: {published}"
     outcome = one(audited(text + (f", where: {where}" if where else "") + "}"))
     assert outcome.finding == finding
+
+
+def test_what_is_missing_is_named(audited):
+    """Never what is asked for, be it called as a constant is."""
+    text = "- {{id: a, given: {{h: 0.04 m{}}}, laws: ['{}'], where: u > 0, asked: u, published: 0.8854 m/s}}"
+    outcome = one(audited(text.format("", "u^2 = 2*g*h")))
+    assert (outcome.finding, outcome.why.partition("; ")[2]) == (
+        "cannot say",
+        "g is missing: write it into given",
+    )
+    outcome = one(audited(text.format(", M: 6e24 kg", "u^2 = 2*G*M/h")))
+    assert outcome.why.endswith("; G is missing: write it into given, or constants: [G]")
+
+
+@pytest.mark.parametrize(
+    ("published", "relative", "finding"),
+    [("35 m", 1e-2, "agrees"), ("35 m", 1e-3, "wrong"), ("35.348 m", 1e-3, "agrees")],
+)
+def test_a_key_coarser_than_its_question_forgives(tmp_path, published, relative, finding):
+    path = tmp_path / "r.yaml"
+    path.write_text(THROW.format(convention="g = 9.8 m/s^2", published=published), encoding="utf-8")
+    record = replace(records_in(path)[0], forgives=(ForgivenError(relative, 1e-8),))
+    outcome = one(examine(record))
+    assert outcome.finding == finding
+    assert ("coarsely" in outcome.why) == (finding == "wrong")

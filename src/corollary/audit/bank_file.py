@@ -14,7 +14,7 @@ from corollary.audit.readers.rexams import rexams_records
 from corollary.audit.readers.safe_xml import xml_of
 from corollary.audit.readers.straight_line import MOST_ANSWERS
 from corollary.audit.readers.webwork import webwork_records
-from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven
+from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven, overridden
 from corollary.audit.record_file import records_in
 from corollary.formula.ast import Expr, Name, Number, Power, Product, Quotient, names, substitute
 from corollary.formula.syntax import author_formula
@@ -149,6 +149,11 @@ def joined(exercise: ExerciseRecord, stated: ExerciseRecord | None, bare: bool =
         except ValueError as error:
             return replace(exercise, unread=str(error))
     given = {each.symbol: _in_unit(each, units.get(each.symbol)) for each in exercise.given}
+    notes = [
+        overridden(given[each.symbol], each.text)
+        for each in exercise.given
+        if (given[each.symbol].low, given[each.symbol].high) != (each.low, each.high)
+    ]
     if bare and exercise.given and not stated.published:
         try:
             published = tuple(
@@ -165,6 +170,7 @@ def joined(exercise: ExerciseRecord, stated: ExerciseRecord | None, bare: bool =
         published=published,
         source=exercise.source or stated.source,
         statement=exercise.statement or stated.statement,
+        note="; ".join(notes),
     )
 
 

@@ -9,9 +9,10 @@ from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 
+from corollary.audit.forgiven import forgiven_by
 from corollary.audit.readers.server_draw import ServerDraw, ServerRuns
 from corollary.audit.readers.straight_line import NotRead, known_unit
-from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven
+from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven, overridden
 from corollary.formula.ast import names
 from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
@@ -80,6 +81,7 @@ def _at(
         if draw.trouble:
             raise NotRead(draw.trouble)
         given = _given(stated, draw.params)
+        note = _overridden(stated, draw.params)
         published = tuple(
             _published(each, answers[each.letter], draw, inputs.get(answers[each.letter], {}), figures)
             for each in stated.asked
@@ -97,6 +99,20 @@ def _at(
         source=read.source or stated.source,
         statement=read.statement or stated.statement,
         isolation=draw.isolation,
+        note=note,
+        forgives=tuple(forgiven_by(inputs.get(answers[each.letter], {})) for each in stated.asked),
+    )
+
+
+def _overridden(stated: ExerciseRecord, params: Mapping[str, Value]) -> str:
+    """That a number of the laws' file takes the place of another, which the program draws; "" where none does."""
+    drawn = {
+        each: _number(params[each.symbol], f"params[{each.symbol!r}]")
+        for each in stated.given
+        if each.fixed and each.symbol in params
+    }
+    return "; ".join(
+        overridden(each, decimal_text(number, 0)) for each, number in drawn.items() if number != each.low
     )
 
 
@@ -174,8 +190,11 @@ def _figures(values: Sequence[Value | None]) -> dict[Fraction, int]:
             decimal = Decimal(f"{float(number):.{NOISE}g}").normalize()
             exponent = decimal.as_tuple().exponent
             assert isinstance(exponent, int)
-            found[number] = (decimal.adjusted() + 1 if decimal else 1, max(0, -exponent))
-    places = max((after for _, after in found.values()), default=0)
+            found[number] = (
+                decimal.adjusted() + 1 if decimal else 1,
+                -exponent,
+            )  # 1230 is 1.23e3: no place but tens
+    places = max((after for number, (_, after) in found.items() if number), default=0)
     most = max((before + after for before, after in found.values()), default=1)
     return {number: max(1, min(MOST_FIGURES, most, before + places)) for number, (before, _) in found.items()}
 

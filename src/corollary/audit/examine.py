@@ -12,7 +12,7 @@ from corollary.audit.exercise import AdmittedRoot, PublishedExercise, contradict
 from corollary.audit.formula_key import formula_in, function_outcome
 from corollary.audit.outcome import AuditedAnswer
 from corollary.audit.put_back import broken_law
-from corollary.audit.record import AskedLetter, ExerciseRecord
+from corollary.audit.record import AskedLetter, ExerciseRecord, ForgivenError
 from corollary.audit.reversed import reversible
 from corollary.derive.roots import NoRoot
 from corollary.formula.enclosure import Enclosure
@@ -25,6 +25,9 @@ MORE_FIGURES = 2  # than the published number has, in what is shown beside it
 LEAST_FIGURES, MOST_FIGURES = 4, 12
 MOST_OTHERS = 4  # of the roots that go on for ever
 UNPROVEN = "no root that the conditions admit was found, and that there is none is not proven; narrow `where`"
+TOO_COARSE = (
+    "it is rounded more coarsely than its question forgives, which refuses the answer to more figures"
+)
 CONTRADICTION = (
     0.02  # relative: sides of a law that only givens fix; closer ones differ by how the givens were rounded
 )
@@ -43,6 +46,11 @@ class PublishedNumber:
         found = as_printed(value, self.text, self.reading, self.unit, self.figures)
         one_figure = (self.figures or self.reading.figures) == 1  # 7 for 6 is no matter of rounding
         return "differs" if found == "last figure" and one_figure else found
+
+    def refuses(self, forgiven: ForgivenError | None, value: float) -> bool:
+        """Whether a question with this key refuses what the laws give."""
+        unit = self.reading.unit or self.unit
+        return forgiven is not None and forgiven.refuses(unit.from_si(value), unit.from_si(float(self.exact)))
 
     def fits(self, value: float) -> bool:
         return self.agreement(value) in ("agrees", "last figure")
@@ -81,8 +89,15 @@ def examine(record: ExerciseRecord, by_algebra: bool = True) -> tuple[AuditedAns
         exercise = replace(exercise_of(record), by_algebra=by_algebra)
     except ValueError as error:
         return cannot_say(record, str(error))
-    pairs = zip(record.asked, record.published, strict=True)
-    return tuple(_outcome(exercise, asked, published) for asked, published in pairs)
+    forgives = record.forgives or (None,) * len(record.asked)
+    found = [
+        _outcome(exercise, asked, published, forgiven)
+        for asked, published, forgiven in zip(record.asked, record.published, forgives, strict=True)
+    ]
+    return tuple(
+        replace(each, why="; ".join(filter(None, (each.why, record.note)))) if record.note else each
+        for each in found
+    )
 
 
 def cannot_say(record: ExerciseRecord, why: str) -> tuple[AuditedAnswer, ...]:
@@ -96,7 +111,9 @@ def cannot_say(record: ExerciseRecord, why: str) -> tuple[AuditedAnswer, ...]:
     )
 
 
-def _outcome(exercise: PublishedExercise, asked: AskedLetter, published: str) -> AuditedAnswer:
+def _outcome(
+    exercise: PublishedExercise, asked: AskedLetter, published: str, forgiven: ForgivenError | None
+) -> AuditedAnswer:
     nothing = AuditedAnswer(exercise.record, asked.letter, published, "cannot say")
     try:
         number = published_number(exercise, asked, published)
@@ -115,10 +132,14 @@ def _outcome(exercise: PublishedExercise, asked: AskedLetter, published: str) ->
         if not exercise.fixed:
             ranges = ", ".join(name for name, given in exercise.givens.items() if not given.fixed)
             return replace(nothing, why=f"{ranges} has a range, and the published answer is one number")
-        found = _number_outcome(exercise, nothing, number)
+        found = _number_outcome(exercise, nothing, number, forgiven)
     except (NoRoot, ValueError) as error:
         return replace(nothing, why=str(error))
-    return found if found.finding != "wrong" else _under_conventions(exercise, number, found)
+    return (
+        found
+        if found.finding != "wrong" or found.why == TOO_COARSE
+        else _under_conventions(exercise, number, found)
+    )
 
 
 def published_number(
@@ -138,7 +159,10 @@ def published_number(
 
 
 def _number_outcome(
-    exercise: PublishedExercise, nothing: AuditedAnswer, number: PublishedNumber
+    exercise: PublishedExercise,
+    nothing: AuditedAnswer,
+    number: PublishedNumber,
+    forgiven: ForgivenError | None,
 ) -> AuditedAnswer:
     letter = nothing.asked
     solved = exercise.solved(exercise.numbers)
@@ -166,6 +190,8 @@ def _number_outcome(
         name: quantity(root.values[name], exercise.unit_of(name), LEAST_FIGURES) for name in exercise.unknowns
     }
     found = replace(nothing, derived=number.written(root.values[letter]), others=others, values=values)
+    if agreement in ("agrees", "last figure") and number.refuses(forgiven, root.values[letter]):
+        return replace(found, finding="wrong", why=TOO_COARSE)
     if agreement == "agrees" and others:
         listed = ", ".join(others)
         return replace(found, finding="not unique", why=f"the statement admits {listed} as well")

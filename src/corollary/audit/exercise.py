@@ -242,10 +242,8 @@ def exercise_of(record: ExerciseRecord) -> PublishedExercise:
             )
             raise ValueError(f"{asked.letter} is asked for, and is {where}")
     if len(record.laws) < len(unknowns):
-        named = [each for each in unknowns if each in CONSTANTS]
-        remedy = f"; is {named[0]} a constant? then write constants: [{named[0]}]" if named else ""
         raise ValueError(
-            f"{len(record.laws)} laws for {len(unknowns)} unknowns ({', '.join(unknowns)}){remedy}"
+            f"{len(record.laws)} laws for {len(unknowns)} unknowns ({', '.join(unknowns)}){_missing(record, unknowns)}"
         )
     dimensions = _dimensions(record, givens)
     laws = stated([(each.name, each.formula) for each in record.laws], signs(givens), unknowns)
@@ -253,6 +251,21 @@ def exercise_of(record: ExerciseRecord) -> PublishedExercise:
     units = {name: found.unit_of(name) for name in (*givens, *unknowns)}
     known = {name: each for name, each in units.items() if each is not None}
     return replace(found, where=tuple(each for text in record.where for each in _condition(text, known)))
+
+
+def _missing(record: ExerciseRecord, unknowns: tuple[str, ...]) -> str:
+    """What may have been left out: none of what is asked for, and a constant of nature sooner than anything else."""
+    asked = {each.letter for each in record.asked}
+    left = [each for each in unknowns if each not in asked]
+    usual = [each for each in left if each in CONSTANTS or each == "g"]
+    short = len(unknowns) - len(record.laws)
+    missing = left if len(left) <= short else usual[:short]
+    if not missing:
+        return f"; {short} of {', '.join(left)} must be given" if left else ""
+    listed = ", ".join(missing)
+    constant = f", or constants: [{', '.join(missing)}]" if set(missing) <= CONSTANTS.keys() else ""
+    verb, them = ("is", "it") if len(missing) == 1 else ("are", "them")
+    return f"; {listed} {verb} missing: write {them} into given{constant}"
 
 
 def _dimensions(record: ExerciseRecord, givens: Mapping[str, StatedGiven]) -> dict[str, Dimension]:

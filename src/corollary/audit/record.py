@@ -80,13 +80,31 @@ class AskedLetter:
     unit: Unit | None
 
 
+def overridden(stated: StatedGiven, drawn: str) -> str:
+    """That a number in the file of laws was used for one that a question draws."""
+    return f"{stated.symbol} = {stated.text} is from the laws' file, and the question draws {drawn}"
+
+
+@dataclass(frozen=True, slots=True)
+class ForgivenError:
+    """How far a right answer may be off the key: a share of it, and an absolute part in the unit of the answer."""
+
+    relative: float
+    absolute: float
+
+    def refuses(self, answer: float, key: float) -> bool:
+        """In the unit of the answer."""
+        return abs(answer - key) > (self.relative * abs(key) + self.absolute) * (1 + 1e-9)
+
+
 @dataclass(frozen=True, slots=True)
 class ExerciseRecord:
     """`published` has one text for each thing asked. `directions`: a convention settles what is positive.
 
     `unread` says why a reader could not make out the exercise; then nothing else counts. Of a program that was read, `worked_out`
     are the letters that it works out itself, `key_unit` is the unit behind its formula, if any. `isolation` says how well the
-    program was isolated that drew its numbers; "" where none was run.
+    program was isolated that drew its numbers; "" where none was run. `note` is said with every finding. `forgives` has for each
+    thing asked how far an answer may be off in the question, where that is known.
     """
 
     id: str
@@ -111,6 +129,8 @@ class ExerciseRecord:
     worked_out: frozenset[str] = frozenset()
     key_unit: str = ""
     isolation: str = ""
+    note: str = ""
+    forgives: tuple[ForgivenError | None, ...] = ()
 
     @property
     def assumed_here(self) -> tuple[AssumedValue, ...]:

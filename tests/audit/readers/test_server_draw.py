@@ -23,6 +23,10 @@ LAWS = """
   given: {m: kg, a: m/s^2}
   laws: [F = m*a]
   asked: F
+- id: fixed
+  given: {m: "5 kg", a: m/s^2}
+  laws: [F = m*a]
+  asked: F
 - id: both
   given: {m: kg, a: m/s^2, t: s}
   laws: [F = m*a, p = F*t]
@@ -55,6 +59,14 @@ HONEST = [
     ("shot", PAGE, SHOT + FIGURES, ["agrees"]),
     ("shot", PAGE, SHOT + PLACES.replace("19.6", "9.8"), ["wrong"]),
 ]  # fmt: skip
+BIG = (
+    "    m, a = random.randint(1100, 1900), random.choice([1.33, 2.27, 3.11])\n    data['params'].update(m=m, a=a)\n"
+    "    data['correct_answers']['F'] = float('%.3g' % (m*a))\n"
+)
+HONEST += [
+    ("push", PAGE, BIG, ["agrees"]),  # 1230 of 1234.5 has three figures
+    ("push", PAGE.replace("suffix", 'rtol="1e-5" suffix'), BIG, ["wrong"]),  # and its question refuses 1234.5
+]
 HOSTILE = [
     ("    import os\n    os._exit(0)\n", "os._exit"),
     ("    import ctypes\n    ctypes.string_at(0)\n", "crash in compiled code"),
@@ -99,6 +111,15 @@ def test_what_is_drawn_is_held_against_the_laws(run, name, page, body, findings)
     assert [each.id for each in records] == [f"{name}, seed {seed}" for seed in (1, 2, 3)]
     for record in records:
         assert [each.finding for each in examine(record)] == findings, examine(record)
+
+
+def test_a_number_of_the_laws_in_place_of_a_drawn_one_is_said(run):
+    drawn = "    data['params'].update(m=7, a=2)\n" + ANSWER + "14\n"
+    for record in run("fixed", PAGE, drawn):
+        (outcome,) = examine(record)
+        assert outcome.finding == "wrong"
+        assert "m = 5 kg is from the laws' file, and the question draws 7" in outcome.why
+    assert all(not record.note for record in run("push", PAGE, drawn))
 
 
 @pytest.mark.parametrize(("body", "why"), HOSTILE)
