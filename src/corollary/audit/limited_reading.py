@@ -26,7 +26,7 @@ LONGEST_ID, LONGEST_STATEMENT, LONGEST_ANSWER = 200, 5000, 2000  # characters
 
 
 @dataclass(frozen=True, slots=True)
-class FileRead:
+class BankReading:
     """`trouble` says why a file as a whole could not be read, and its one record, too; `no_such_file` where it is not there, or is
     of no kind that is read."""
 
@@ -50,7 +50,7 @@ class LimitedReader:
             laws = self._laws_file
             found = self._within_limits(partial(_laws_or_trouble, laws), laws)
             if isinstance(found, str):
-                raise Unreadable(found)
+                raise LawsNotRead(found)
             self._laws = found
         return self
 
@@ -59,7 +59,7 @@ class LimitedReader:
     ) -> None:
         self._interpreter.stop()
 
-    def read(self, path: Path) -> FileRead:
+    def read(self, path: Path) -> BankReading:
         """Raises WeakIsolation and CannotStart where programs cannot be run well enough here."""
         laws = laws_of(path, self._laws)
         found = self._within_limits(partial(_records_or_trouble, path, laws), path)
@@ -67,9 +67,9 @@ class LimitedReader:
             return self._unread(path, found)
         records, inputs = found
         if self._servers is None or not inputs:
-            return FileRead(records)
+            return BankReading(records)
         try:
-            return FileRead(drawn_records(records, inputs, laws, self._servers))
+            return BankReading(drawn_records(records, inputs, laws, self._servers))
         except Malformed as error:
             return self._unread(path, _sentence(error))
 
@@ -79,14 +79,14 @@ class LimitedReader:
         except NotFinished:
             return f"{path.name}: was not read within {SECONDS:.0f} s and the memory allowed; divide it"
 
-    def _unread(self, path: Path, trouble: str) -> FileRead:
+    def _unread(self, path: Path, trouble: str) -> BankReading:
         known = path.suffix.lower() in {*RECORDS, *READERS} or in_question_html(path) != path
         record = ExerciseRecord(_printable(path.name, LONGEST_ID), path, 1, unread=trouble)
-        return FileRead((record,), trouble, not (known and os.path.lexists(path)))
+        return BankReading((record,), trouble, not (known and os.path.lexists(path)))
 
 
-class Unreadable(Malformed):
-    """A file that is needed, and why it was not read."""
+class LawsNotRead(Malformed):
+    """The file of laws, which everything needs, and why it was not read."""
 
     def __init__(self, sentence: str) -> None:
         super().__init__([])

@@ -38,6 +38,7 @@ class ListNode:
 
 Node = TextNode | TableNode | ListNode
 DEEPEST = 50
+LONG = 100_000  # characters, which take PyYAML itself, without libyaml, seconds
 
 
 def split(path: Path) -> tuple[TableNode, str, int]:
@@ -92,14 +93,22 @@ def document(path: Path, source: str) -> Node | None:
 
     Raises Malformed.
     """
+    depth = 0
     try:
         for event in yaml.parse(
             source, Loader=yaml.SafeLoader if not yaml.__with_libyaml__ else yaml.CSafeLoader
         ):
+            line = event.start_mark.line + 1
             if isinstance(event, yaml.AliasEvent):
-                line = event.start_mark.line + 1
                 raise Malformed([Diagnostic(path, line, "refers to another place (*name); write it out")])
-    except yaml.YAMLError:
+            depth += isinstance(event, yaml.CollectionStartEvent)
+            depth -= isinstance(event, yaml.CollectionEndEvent)
+            if depth > DEEPEST:
+                raise Malformed([Diagnostic(path, line, "is nested too deeply")])
+    except yaml.YAMLError as error:
+        if len(source) > LONG and isinstance(error, yaml.MarkedYAMLError) and error.problem_mark:
+            line = error.problem_mark.line + 1
+            raise Malformed([Diagnostic(path, line, f"the file is not YAML: {error.problem}")]) from None
         return _document(path, source, "the file", first=1)  # which says what is wrong in PyYAML's own words
     return _document(path, source, "the file", first=1)
 

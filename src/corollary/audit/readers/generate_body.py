@@ -27,14 +27,14 @@ class GenerateSetting:
 @dataclass(slots=True)
 class GenerateBody:
     """`data` is the parameter of `generate`; `tables` are names that stand for its `params` or `correct_answers`, and `params` is what
-    was put there, `texts` what of it is a text, `shown` the letters in it."""
+    was put there, `texts` what of it is a text, `in_params` the letters in it."""
 
     data: str
     names: PythonNames
     tables: dict[str, str] = field(default_factory=dict[str, str])
     params: dict[str, ast.expr] = field(default_factory=dict[str, ast.expr])
     texts: set[str] = field(default_factory=set[str])
-    shown: set[str] = field(default_factory=set[str])
+    in_params: set[str] = field(default_factory=set[str])
 
     def settings(self, statements: Sequence[ast.stmt]) -> Iterator[GenerateSetting]:
         """In their order, up to a return. Raises NotRead for whatever is no plain assignment."""
@@ -75,7 +75,7 @@ class GenerateBody:
                 if isinstance(value, ast.Name) and value.id == name:
                     return
                 self.names.refuse_hidden(name)
-                if name in self.tables or name in self.shown:
+                if name in self.tables or name in self.in_params:
                     raise NotRead(f"line {value.lineno} of server.py changes {name} after it is shown")
                 yield GenerateSetting("letter", name, value)
             case ast.Subscript(inner, ast.Constant(str(name))), _ if table := self._table(inner):
@@ -101,7 +101,7 @@ class GenerateBody:
         if self.names.function(value) in DRAWN:
             yield GenerateSetting("shown", name, value)
             self.params[name] = ast.copy_location(ast.Name(name, ast.Load()), value)
-        self.shown |= _letters(self.params[name])
+        self.in_params |= _letters(self.params[name])
 
     def _table(self, node: ast.expr) -> str:
         """Which table of `data` an expression is; "" for none."""

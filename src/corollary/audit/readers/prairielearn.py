@@ -9,10 +9,10 @@ import warnings
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
-from html.parser import HTMLParser
 from pathlib import Path
 
 from corollary.audit.readers.generate_body import GenerateBody
+from corollary.audit.readers.html_tags import HtmlPiece, html_pieces
 from corollary.audit.readers.python_names import DRAWN, PythonNames, names_of
 from corollary.audit.readers.safe_xml import words_of
 from corollary.audit.readers.straight_line import (
@@ -28,48 +28,13 @@ from corollary.audit.text_file import LARGEST_PROGRAM, text_of
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 INPUTS = {"pl-number-input", "pl-units-input", "pl-symbolic-input"}
+TAKES_ANSWER = ("-input", "-choice", "-checkbox")
 HOLE = re.compile(r"\{\{[^{}]*\}\}")
 ARITHMETIC = (
     ast.Constant, ast.Name, ast.Attribute, ast.Call, ast.BinOp, ast.UnaryOp, ast.Load,
     ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Pow, ast.USub, ast.UAdd,
 )  # fmt: skip
 SIGNS: Mapping[type[ast.operator], str] = {ast.Mult: "*", ast.Div: "/", ast.Add: "+", ast.Sub: "-"}
-
-
-class InputElements(HTMLParser):
-    """The elements of a question that take an answer."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.found: list[dict[str, str]] = []
-        self.right: list[
-            list[str]
-        ] = []  # of each element the pieces of the text of each option that is right
-        self.in_right_option = False
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        if tag.startswith("pl-") and tag.endswith(("-input", "-choice", "-checkbox")):
-            if len(self.found) >= MOST_ANSWERS:
-                raise NotRead(f"it has more than {MOST_ANSWERS} inputs")
-            self.found.append({"tag": tag, **{name: value or "" for name, value in attrs}})
-            self.right.append([])
-        elif tag == "pl-answer" and self.found and (dict(attrs).get("correct") or "").lower() == "true":
-            self.right[-1].append("\n")
-            self.in_right_option = True
-
-    def handle_endtag(self, tag: str) -> None:
-        if tag == "pl-answer":
-            self.in_right_option = False
-
-    def handle_data(self, data: str) -> None:
-        if self.in_right_option:
-            self.right[-1].append(" ".join(data.split()))
-
-    @property
-    def inputs(self) -> list[dict[str, str]]:
-        """Their attributes, `tag` and, a line each, the options that are `right`."""
-        pairs = zip(self.found, self.right, strict=True)
-        return [{**element, "right": "".join(right).lstrip("\n")} for element, right in pairs]
 
 
 def prairielearn_records(path: Path) -> tuple[ExerciseRecord, ...]:
@@ -122,11 +87,13 @@ class PrairieLearnServer:
                 self._read = error
         if isinstance(self._read, NotRead):
             raise self._read
-        program, keys, shown = self._read
+        program, keys, in_params = self._read
         found = keys.get(name, NotRead(f"server.py assigns no correct answer {name!r}"))
         if isinstance(found, NotRead):
             raise found
-        return PublishedFormula(found.text, tuple(program.drawn.values()), shown | program.formulas.keys())
+        return PublishedFormula(
+            found.text, tuple(program.drawn.values()), in_params | program.formulas.keys()
+        )
 
     @property
     def answers(self) -> bool:
@@ -177,10 +144,29 @@ def inputs_of(path: Path) -> list[dict[str, str]]:
 
 
 def _inputs_in(source: str) -> list[dict[str, str]]:
-    elements = InputElements()
-    elements.feed(source)
-    elements.close()
-    return elements.inputs
+    """The elements that take an answer: their attributes, `tag`, and, a line each, the options that are `right`. Raises NotRead."""
+    found: list[dict[str, str]] = []
+    right: list[list[str]] = []
+    in_right_option = False
+    for piece in html_pieces(source):
+        match piece:
+            case HtmlPiece("start", tag, attributes) if tag.startswith("pl-") and tag.endswith(TAKES_ANSWER):
+                if len(found) >= MOST_ANSWERS:
+                    raise NotRead(f"it has more than {MOST_ANSWERS} inputs")
+                found.append({"tag": tag, **attributes})
+                right.append([])
+            case HtmlPiece("start", "pl-answer", attributes) if found:
+                if attributes.get("correct", "").lower() == "true":
+                    right[-1].append("\n")
+                    in_right_option = True
+            case HtmlPiece("end", "pl-answer"):
+                in_right_option = False
+            case HtmlPiece("text", words) if in_right_option:
+                right[-1].append(" ".join(words.split()))
+            case _:
+                continue
+    pairs = zip(found, right, strict=True)
+    return [{**element, "right": "".join(pieces).lstrip("\n")} for element, pieces in pairs]
 
 
 def _program(path: Path) -> tuple[StraightLine, dict[str, PublishedFormula | NotRead], frozenset[str]]:
