@@ -17,7 +17,13 @@ DRAWN = "$v = random(2,8,1);\n"
 PAGE = '<pl-number-input answers-name="F"></pl-number-input>'
 R_HEAD = "```{r}\nm <- sample(2:9, 1)\n"
 R_META = "\nMeta-information\n================\nextype: num\nexsolution: `r F`\n"
-ITEM = '<assessmentItem identifier="i"><responseDeclaration identifier="R" cardinality="single" baseType="float"><correctResponse><value>{}</value></correctResponse></responseDeclaration></assessmentItem>'
+PARAMS_DOUBLED = "def generate(data):\n    p = data['params']\n    p['a0'] = 2\n"
+PARAMS_DOUBLED += "".join(f"    p['a{i + 1}'] = p['a{i}']*p['a{i}']\n" for i in range(60))
+PARAMS_DOUBLED += "    data['correct_answers']['F'] = p['a60']\n"
+ITEM = (
+    '<assessmentItem identifier="i"><responseDeclaration identifier="R" cardinality="single" baseType="float">'
+    "<correctResponse><value>{}</value></correctResponse></responseDeclaration></assessmentItem>"
+)
 
 
 def hostile_files(folder: Path, size: int) -> list[Path]:
@@ -137,11 +143,11 @@ def _texts(size: int) -> Iterator[tuple[str, str]]:
     yield "twice.json", '[{"id": "a", "id": "b", "laws": ["F = m"], "asked": "F", "published": "1 N"}]'
     yield (
         "half_character.json",
-        json.dumps([{"id": "\ud800", "laws": ["F = 1"], "asked": "F", "published": "1"}]),
+        json.dumps([{"id": "\ud800", "laws": ["F = 1"], "asked": "F", "published": "up"}]),
     )
     yield (
         "long_string.json",
-        json.dumps([{"id": "a" * size, "laws": ["F = 1"], "asked": "F", "published": "1"}]),
+        json.dumps([{"id": "a" * size, "laws": ["F = 1"], "asked": "F", "published": "up"}]),
     )
     yield "columns.csv", "id," * (size // 3) + "\n"
     yield "blank_columns.csv", "id" + "," * size + "\n" + "1" + "," * size
@@ -241,7 +247,7 @@ def _programs(size: int) -> Iterator[tuple[str, str]]:
         ("digits", f"def generate(data):\n    x = {'9' * min(size, 200_000)}\n"), ("lines", "x = 1\n" * (size // 6)),
         ("lambda", "x = " + "lambda:" * 20_000 + "1\n"), ("text", "def generate(data):\n    x = f'" + "{" * (size // 2) + "}'\n"),
         ("power", "def generate(data):\n    data['correct_answers']['F'] = 9**9**9**9**9\n"),
-        ("doubled", "def generate(data):\n    p = data['params']\n    p['a0'] = 2\n" + "".join(f"    p['a{i + 1}'] = p['a{i}']*p['a{i}']\n" for i in range(60)) + "    data['correct_answers']['F'] = p['a60']\n"),
+        ("doubled", PARAMS_DOUBLED),
         ("endless", "def generate(data):\n    while True:\n        pass\n"), ("memory", "x = [0]*10**12\ndef generate(data):\n    pass\n"),
         ("recursive", "def f(x):\n    return f(f(x))\ndef generate(data):\n    data['correct_answers']['F'] = f(2)\n"),
         ("long_text", "def generate(data):\n    data['params']['m'] = '9'*10**6\n    data['correct_answers']['F'] = '9'*9000\n"),

@@ -21,6 +21,7 @@ from corollary.sandbox.limited import Limited, NotFinished
 
 SECONDS, WAITING = 20.0, 30.0  # of the processor, and on the wall: 20 MB of YAML take 15
 MOST_COMPLAINTS = 10
+NO_RECORDS = "there are no records in it; `docs/audit.md` shows how they are written"
 T = TypeVar("T")
 LONGEST_ID, LONGEST_STATEMENT, LONGEST_ANSWER = 200, 5000, 2000  # characters
 
@@ -66,6 +67,8 @@ class LimitedReader:
         if isinstance(found, str):
             return self._unread(path, found)
         records, inputs = found
+        if not records:
+            return self._unread(path, f"{path.name}: {NO_RECORDS}")
         if self._servers is None or not inputs:
             return BankReading(records)
         try:

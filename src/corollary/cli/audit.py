@@ -11,7 +11,7 @@ from corollary.audit.limited_reading import LimitedReader
 from corollary.audit.outcome import FAULTS, FINDINGS, AuditedAnswer
 from corollary.audit.readers.server_draw import ServerRuns
 from corollary.cli.console import console
-from corollary.cli.ending import FAILS, HOLDS, REFUSED, answer, counted, refuse, say
+from corollary.cli.ending import FAILS, HOLDS, REFUSED, answer, counted, say
 from corollary.cli.progress import bar
 from corollary.messages import visible
 from corollary.problem.bank import open_bank
@@ -40,8 +40,6 @@ def run(
     ):
         read = [reader.read(Path(name)) for name in files]
     records = [record for each in read for record in each.records]
-    if not records:
-        refuse(f"{', '.join(files)}: there are no records in it; `docs/audit.md` shows how they are written")
     found: list[AuditedAnswer] = []
     with (
         bar("auditing", len(records)) as progress,

@@ -98,7 +98,7 @@ def document(path: Path, source: str) -> Node | None:
         for event in yaml.parse(
             source, Loader=yaml.SafeLoader if not yaml.__with_libyaml__ else yaml.CSafeLoader
         ):
-            line = event.start_mark.line + 1
+            line: int = event.start_mark.line + 1
             if isinstance(event, yaml.AliasEvent):
                 raise Malformed([Diagnostic(path, line, "refers to another place (*name); write it out")])
             depth += isinstance(event, yaml.CollectionStartEvent)
@@ -107,7 +107,7 @@ def document(path: Path, source: str) -> Node | None:
                 raise Malformed([Diagnostic(path, line, "is nested too deeply")])
     except yaml.YAMLError as error:
         if len(source) > LONG and isinstance(error, yaml.MarkedYAMLError) and error.problem_mark:
-            line = error.problem_mark.line + 1
+            line = int(error.problem_mark.line) + 1
             raise Malformed([Diagnostic(path, line, f"the file is not YAML: {error.problem}")]) from None
         return _document(path, source, "the file", first=1)  # which says what is wrong in PyYAML's own words
     return _document(path, source, "the file", first=1)
