@@ -253,6 +253,6 @@ def test_watching_asks_for_what_is_missing_in_one_line(bank):
     assert not unexpected(bank["Q1"])
     path.write_text(without_expected(path.read_text(encoding="utf-8")), encoding="utf-8")
     asked = unexpected(bank["Q1"])
-    assert asked.startswith("ride.md:25: what do you expect of parts a, b?")
+    assert asked.startswith("ride.md:24: what do you expect of parts a, b?")
     assert 'expected="about 40 s"' in asked
     assert "\n" not in asked

@@ -23,6 +23,7 @@ from corollary.problem.problem_set import bank_of_set, find_set, set_names
 from corollary.problem.reader import read_problem
 from corollary.verify.checked import Checked
 from corollary.verify.cluster import on_cluster
+from corollary.verify.mutation.record import MutationScore
 from corollary.verify.obligations.obligation import REDRAWN, Settled
 from corollary.verify.sets import CheckedSet, check_set
 from corollary.verify.side_by_side import verify_each
@@ -94,6 +95,7 @@ def run(
         )
     else:
         _table(found)
+        _bends(found)
         _complaints(found, broken)
         _notes({"sets": [note for each in sets for note in each.notes]}, found, verbose)
         _verdict(found, broken, time.perf_counter() - start)
@@ -138,6 +140,7 @@ def _record(checked: Checked) -> dict[str, Any]:
         "complaints": list(checked.complaints),
         "notes": list(checked.notes),
         "unread": list(checked.unread),
+        **({"mutation": asdict(checked.mutation)} if checked.mutation is not None else {}),
     }
 
 
@@ -159,6 +162,21 @@ def _proven(obligations: Iterable[Settled]) -> str:
     return f"{outcomes.count('proven')}/{len(outcomes)}"
 
 
+def _score(mutation: MutationScore | None) -> str:
+    """Bends of the laws that are noticed, of all."""
+    return f"{mutation.noticed}/{mutation.bends}" if mutation is not None and mutation.bends else "-"
+
+
+def _bends(found: list[Checked]) -> None:
+    """How many wrong signs and factors would be noticed; of one problem with the laws in which they would not, and what to add."""
+    scores = [each.mutation for each in found if each.mutation is not None]
+    if len(scores) == 1:
+        print(*scores[0].lines, sep="\n")
+    elif total := sum(each.bends for each in scores):
+        noticed = sum(each.noticed for each in scores)
+        print(f"signs and factors: {noticed:,} of {total:,} bends noticed ({noticed / total:.0%})")
+
+
 def _table(found: list[Checked]) -> None:
     from rich.table import Table
 
@@ -171,6 +189,7 @@ def _table(found: list[Checked]) -> None:
         "mistakes",
         "proven",
         "scenes",
+        "bends",
         "programs",
         "complaints",
     ):
@@ -186,7 +205,9 @@ def _table(found: list[Checked]) -> None:
             f"{each.redrawn:.0%}",
             *done[:2],
             _proven(each.obligations),
-            *done[2:],
+            done[2],
+            _score(each.mutation),
+            done[3],
             str(len(each.complaints) or "none"),
         )
     console().print(table)

@@ -54,6 +54,8 @@ def verified(place: Bank, path: Path, variants: int, now: str) -> Verification |
                 _print(f"{_so_far(whole, start)} so far; still running: {left}")
         _new(whole, printed)
     _print(*(f"note: {note}" for note in whole.tally.notes))
+    if whole.tally.mutation is not None:
+        _print(*whole.tally.mutation.lines)
     ended = "" if whole.tally.complaints else f", {whole.walked.refused:.0%} of the draws redrawn: all hold"
     _print(f"{_so_far(whole, start)}{ended}")
     return whole

@@ -5,20 +5,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
-from fractions import Fraction
 
 import sympy
 
 from corollary.derive.claims import unfulfilled
-from corollary.derive.derivation import Asserted, Derivation
+from corollary.derive.derivation import Asserted
 from corollary.derive.functions import is_differential, letters_in, put_back
 from corollary.derive.known import Known, vanishes
-from corollary.derive.load import Loaded, NotDerivable, load
+from corollary.derive.load import load
 from corollary.derive.sampled import holds
 from corollary.derive.solve import Solver, solvers
 from corollary.derive.statements import Confirm, Neglected, Step
-from corollary.formula.ast import Negative, Number, Relation, Sum
 from corollary.laws.law import Law, sides, symbols
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
@@ -71,56 +68,9 @@ def _unconfirmed(known: Known, entry: Confirm) -> Iterator[str]:
             yield f"{law.name}: {error}"
 
 
-def unseen(bank: Bank, problem: Problem, step_line: int) -> list[str]:
-    """The laws of a step in which some sign can be changed and all that is claimed still holds. Raises NotDerivable."""
-    loaded = load(bank, problem)
-    found: list[str] = []
-    for place, entry in enumerate(loaded.derivation.entries):
-        if isinstance(entry, Step) and entry.statement.line == step_line:
-            for index, law in enumerate(entry.laws):
-                if any(
-                    not _noticed(
-                        problem, loaded, place, replace(entry, laws=_exchanged(entry.laws, index, other))
-                    )
-                    for other in _with_a_sign_changed(law)
-                ):
-                    found.append(law.name)
-    return found
-
-
-def _noticed(problem: Problem, loaded: Loaded, place: int, changed: Step) -> bool:
-    """Whether a derivation with a step changed cannot be solved, or contradicts what must hold."""
-    entries = list(loaded.derivation.entries)
-    entries[place] = replace(changed, mistakes=(), routes=(), rejected=())
-    solver = Solver(problem, replace(loaded, derivation=Derivation(tuple(entries))))
-    try:
-        solver.solution()
-    except NotDerivable:
-        return True
-    return any(any(_unmet(entry, solver.known)) for entry in entries if isinstance(entry, Asserted))
-
-
 def _unmet(claim: Asserted, known: Known) -> Iterator[str]:
     """What is wrong with a claim, in sentences."""
     return _unconfirmed(known, claim) if isinstance(claim, Confirm) else unfulfilled(claim, known)
-
-
-def _exchanged(laws: tuple[Law, ...], index: int, other: Law) -> tuple[Law, ...]:
-    return (*laws[:index], other, *laws[index + 1 :])
-
-
-def _with_a_sign_changed(law: Law) -> Iterator[Law]:
-    """The law with the sign of one term on its right changed, for each of them; of one on its left where the right is nothing."""
-    left, right = law.textbook.left, law.textbook.right
-    side = left if right == Number(Fraction(0)) else right
-    terms = side.terms if isinstance(side, Sum) else (side,)
-    for place, term in enumerate(terms):
-        turned = term.term if isinstance(term, Negative) else Negative(term)
-        changed = Sum((*terms[:place], turned, *terms[place + 1 :])) if len(terms) > 1 else turned
-        if term != Number(Fraction(0)) and len(terms) + (side is right) > 1:
-            yield replace(
-                law, textbook=Relation("=", changed, right) if side is left else Relation("=", left, changed)
-            )
 
 
 def _vanishes(residual: sympy.Expr, law: Law, known: Known) -> bool:

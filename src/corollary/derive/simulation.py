@@ -6,7 +6,7 @@ import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from corollary.derive.load import NotDerivable, line_in, load
+from corollary.derive.load import Loaded, NotDerivable, line_in, load
 from corollary.problem.bank import Bank
 from corollary.problem.variant import Variant
 from corollary.scenes.scene import Scene
@@ -48,7 +48,16 @@ def simulations(
 
     A scene function that takes `neglected` gets for each part the most that what it neglects can change of its answer (in SI).
     """
-    loaded = load(bank, variant.problem)
+    return simulations_of(load(bank, variant.problem), variant, answers, neglected)
+
+
+def simulations_of(
+    loaded: Loaded,
+    variant: Variant,
+    answers: Mapping[str, Seen],
+    neglected: Mapping[str, float] | None = None,
+) -> list[Simulation]:
+    """The same of a solution that is loaded. Raises NotDerivable."""
     if loaded.scene is None:
         return []
     try:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from corollary.verify.mutation.record import MutationScore
 from corollary.verify.obligations.obligation import Settled
 
 MOST = 20  # complaints of one problem: an author mends the first and verifies again
@@ -17,6 +18,7 @@ class Tally:
     complaints: list[str] = field(default_factory=list[str])
     notes: list[str] = field(default_factory=list[str])
     obligations: list[Settled] = field(default_factory=list[Settled])
+    mutation: MutationScore | None = None
 
     def count(self, what: str, number: int = 1) -> None:
         self.counts[what] = self.counts.get(what, 0) + number
@@ -50,6 +52,7 @@ class Checked:
     notes: tuple[str, ...] = ()
     obligations: tuple[Settled, ...] = ()
     unread: tuple[str, ...] = ()
+    mutation: MutationScore | None = None
 
     @property
     def ok(self) -> bool:

@@ -55,7 +55,7 @@ def unexpected(problem: Problem) -> str:
 
 def disagreements(key: Key, part: Part, expected: str) -> Iterator[str]:
     """A sentence for each way in which the key of a part is not what is expected."""
-    answer = _read(key, part, expected)
+    answer = _read(key.variant.problem, part, expected)
     truth = key.truths.get(part.id)
     if isinstance(answer, Letter) and part.id in key.choices:
         if answer.letter != key.choices[part.id]:
@@ -73,13 +73,19 @@ def disagreements(key: Key, part: Part, expected: str) -> Iterator[str]:
         yield f"you expect {len(numbers)} numbers ({expected}), and the derivation gives {len(truth.values)}: {derived}"
         return
     zeros = tuple(float(unit.offset) for unit in units)
-    if how := _difference(_in_order(part, numbers), _in_order(part, truth.values), zeros):
+    if how := difference(in_order(part, numbers), in_order(part, truth.values), zeros):
         yield f"you expect {expected}, and the derivation gives {derived}: {how}; a law is wrong, or the estimate"
 
 
-def _read(key: Key, part: Part, expected: str) -> Answer:
+def foreseen(problem: Problem, part: Part, expected: str) -> Values | None:
+    """The numbers, in SI, that an author expects of a part; None where it is none."""
+    found = _numbers(_read(problem, part, expected))
+    return None if isinstance(found, str) else found
+
+
+def _read(problem: Problem, part: Part, expected: str) -> Answer:
     """As a student's answer is read; of a formula the value."""
-    question, its_type = question_of(key.variant.problem, part), answer_type(part.answer_type)
+    question, its_type = question_of(problem, part), answer_type(part.answer_type)
     if not its_type.in_symbols:
         return its_type.read(Text(expected), question)
     return vector(Text(expected), question) if part.components else scalar(Text(expected), question)
@@ -102,7 +108,7 @@ def _numbers(answer: Answer) -> tuple[float, ...] | str:
             return "say a number that you would expect, with its unit"
 
 
-def _difference(numbers: Values, values: Values, zeros: Values) -> str:
+def difference(numbers: Values, values: Values, zeros: Values) -> str:
     """How numbers in SI differ from what is expected of them; `zeros` are where their scales begin."""
     length, foreseen = math.hypot(*values), math.hypot(*numbers)
     for number, value, zero in zip(numbers, values, zeros, strict=True):
@@ -119,7 +125,7 @@ def _difference(numbers: Values, values: Values, zeros: Values) -> str:
     return ""
 
 
-def _in_order(part: Part, values: Values) -> Values:
+def in_order(part: Part, values: Values) -> Values:
     """The numbers of a part whose order says nothing, the smallest first."""
     return tuple(sorted(values)) if {"list", "interval"} & {*part.answer_types} else values
 

@@ -73,6 +73,15 @@ def _differences(key: Key, part: Part, entry: Printed) -> Iterator[str]:
             yield f"{entry.where} prints {printed.strip()} for part {part.id}; {derived}"
 
 
+def readings_of(part: Part, entry: Printed) -> list[tuple[str, Reading]]:
+    """The quantities that are printed for a part, with their texts; none where that is a formula or a letter."""
+    found = [
+        (each.strip(), read_quantity(each.strip().removeprefix(ABOUT).strip(), unit))
+        for each, unit in zip(entry.text.split(";"), part.units, strict=False)
+    ]
+    return [(each, read) for each, read in found if not isinstance(read, ParseError)]
+
+
 def _off(value: float, printed: str, read: Reading, unit: Unit) -> str:
     """What the derivation gives for a printed quantity, where that is something else."""
     measured_in = read.unit or unit

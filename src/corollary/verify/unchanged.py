@@ -18,6 +18,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.pictures import packed_file, unused
 from corollary.problem.problem import Problem
 from corollary.verify.checked import Checked
+from corollary.verify.mutation.record import from_data
 from corollary.verify.obligations.obligation import Settled
 from corollary.verify.side_by_side import Todo, VerifyEach, verify_each
 
@@ -49,6 +50,7 @@ def _recalled(bank: Bank, problem: Problem, count: int) -> Checked | None:
         if text is not None:
             found: dict[str, Any] = json.loads(text)
             found["obligations"] = tuple(Settled(**each) for each in found["obligations"])
+            found["mutation"] = from_data(found["mutation"])
             for name in ("complaints", "notes", "unread"):
                 found[name] = tuple(found[name])
             found["why"] = tuple((reason, times) for reason, times in found["why"])

@@ -20,6 +20,7 @@ from corollary.verify.checked import Checked, Tally
 from corollary.verify.expected_answers import check_expected
 from corollary.verify.hidden_mistakes import check_hidden_mistakes
 from corollary.verify.laws import check_cases, check_dimensions, check_laws
+from corollary.verify.mutation.score import DRAWS, Played, score
 from corollary.verify.obligations.check import check_obligations
 from corollary.verify.printed import check_printed
 from corollary.verify.programs import check_programs
@@ -27,12 +28,11 @@ from corollary.verify.question_text import check_question
 from corollary.verify.remarks import remark
 from corollary.verify.samples import check_claims, check_samples
 from corollary.verify.translations import check_translations
-from corollary.verify.unchecked import note_unchecked
 from corollary.verify.walk import LEAST, Walked, check_scenes, walk
 from corollary.verify.words.check_words import check_solution_words, check_words
 from corollary.verify.words.unread import unread
 
-SLOW = ("laws put back", "obligations", "variants", "scenes", "programs")
+SLOW = ("laws put back", "obligations", "variants", "scenes", "bent laws", "programs")
 """The stages that take most of the time, in their order."""
 
 
@@ -69,6 +69,7 @@ class Verification:
             check_translations(problem, solution, tally)
             check_solution_words(bank, solution, tally)
             own = make_key(solution, chapter(problem))
+            played: Played = []
             yield "samples"
             check_samples(own, tally)
             check_printed(bank, solution, tally)
@@ -81,15 +82,17 @@ class Verification:
                     case "laws put back":
                         check_laws(bank, solution, tally)
                         check_claims(own, tally)
-                        note_unchecked(bank, own, tally)
                     case "obligations":
                         check_obligations(bank, solution, tally, self.count)
                     case "variants":
                         self.walked = walk(bank, solution, tally, self.count)
                         check_question(solution, own, tally)
                     case "scenes":
-                        for key in self.walked.first:
-                            check_scenes(bank, key, tally)
+                        played = [(key, check_scenes(bank, key, tally)) for key in self.walked.first]
+                    case "bent laws":
+                        if not tally.complaints:  # of a key that is wrong already no bend says anything
+                            tally.mutation = score(bank, solution, own, played[:DRAWS])
+                            tally.count("bent laws", tally.mutation.bends)
                     case _:
                         check_programs(bank, own, tally, self.runner)
         except NotDerivable as error:
@@ -114,6 +117,7 @@ class Verification:
             tuple(tally.notes),
             tuple(tally.obligations),
             unread(self.problem),
+            tally.mutation,
         )
 
 

@@ -21,7 +21,7 @@ from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter, first_broken, size
 from corollary.scenes.catalogue import run
 from corollary.scenes.plan import followed
-from corollary.scenes.run import BadSetting, GuardFailed, components
+from corollary.scenes.run import BadSetting, GuardFailed, Run, components
 from corollary.verify.checked import Tally
 from corollary.verify.narrowing import TriedDraw, narrower
 from corollary.verify.words.asked_sign import magnitudes_asked, negative_magnitudes
@@ -75,7 +75,9 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
         say = tally.complain if share > TOO_MANY else tally.note
         why, how = (
             reasons.most_common(1)[0][0],
-            narrower(tried) or "change the ranges, or ask for the formula",
+            _all_refused(reasons)
+            if share == 1
+            else narrower(tried) or "change the ranges, or ask for the formula",
         )
         say(f"{ranges}: {share:.0%} of the draws may not be assigned ({why}); {how}")
     elif size(problem) > 1 and not met:
@@ -94,6 +96,13 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
     if (broken := first_broken(chapter(problem), hard_only=True)) is not None:
         tally.complain(f"{problem.path.name}:{broken.line}: the chapter's own numbers break {broken.text}")
     return Walked(share, reasons, tuple(first))
+
+
+def _all_refused(reasons: Counter[str]) -> str:
+    """What is likeliest where no draw at all may be assigned."""
+    if all("the mistake" in reason for reason in reasons):
+        return "your law may be the mistake: compare it with the one that the mistake is made of"
+    return "change the ranges, or ask for the formula"
 
 
 def check_right(key: Key, tally: Tally) -> None:
@@ -127,19 +136,25 @@ def check_neglected(bank: Bank, key: Key, tally: Tally) -> None:
             )
 
 
-def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
-    """Newton's second law, simulated, meets the algebra within the run's own error and what the scene neglects."""
+def check_scenes(bank: Bank, key: Key, tally: Tally) -> list[tuple[Simulation, Run]]:
+    """Newton's second law, simulated, meets the algebra within the run's own error and what the scene neglects. Each run that there was."""
+    found: list[tuple[Simulation, Run]] = []
     answers: dict[str, Seen] = {
         part: truth.values[0] if len(truth.values) == 1 else truth.values
         for part, truth in key.truths.items()
     }
     path = bank.solution(key.variant.problem)
     for wanted in simulations(bank, key.variant, answers, neglected_in(key)):
-        check_scene(wanted, f"{path.name}:{wanted.line}: scene {wanted.name} on {key.variant.label}", tally)
+        run_of = check_scene(
+            wanted, f"{path.name}:{wanted.line}: scene {wanted.name} on {key.variant.label}", tally
+        )
+        if run_of is not None:
+            found.append((wanted, run_of))
+    return found
 
 
-def check_scene(wanted: Simulation, about: str, tally: Tally) -> None:
-    """One scene, run and held against what it must show."""
+def check_scene(wanted: Simulation, about: str, tally: Tally) -> Run | None:
+    """One scene, run and held against what it must show; None where it cannot be run."""
     try:
         found = (
             run(wanted.scene, wanted.settings, tolerance=1e-10, second_way=True)
@@ -148,17 +163,25 @@ def check_scene(wanted: Simulation, about: str, tally: Tally) -> None:
         )
     except (BadSetting, GuardFailed) as error:
         tally.complain(f"{about}: {error}")
-        return
+        return None
     for name, expected in wanted.expect.items():
         if name not in found.observed:
             tally.complain(f"{about} does not observe {name}; it observes {', '.join(found.observed)}")
             continue
         mine, theirs = _list(expected), _list(found.observed[name])
-        allowed = (AGREE + wanted.neglected) * max(map(abs, (*mine, *theirs)))
-        allowed += 3 * math.hypot(*components(found.errors[name]))
-        agree = len(mine) == len(theirs) and math.dist(mine, theirs) <= allowed
-        if not tally.check(agree, "simulations met"):
+        if not tally.check(meets(wanted, found, name), "simulations met"):
             tally.complain(f"{about}: {name} is {theirs} where the algebra says {mine}")
+    return found
+
+
+def meets(wanted: Simulation, found: Run, name: str) -> bool:
+    """Whether a run shows what is wanted, within its errors and what the scene neglects."""
+    if name not in found.observed:
+        return False
+    mine, theirs = _list(wanted.expect[name]), _list(found.observed[name])
+    allowed = (AGREE + wanted.neglected) * max(map(abs, (*mine, *theirs)))
+    allowed += 3 * math.hypot(*components(found.errors[name]))
+    return len(mine) == len(theirs) and math.dist(mine, theirs) <= allowed
 
 
 def own_answer(key: Key, part: str) -> Value:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from corollary.derive.solution import Solution
 from corollary.formula.ast import Relation
+from corollary.problem.part import Part
 from corollary.verify.obligations.obligation import Obligation
 from corollary.verify.obligations.values import ZERO
 
@@ -27,14 +28,20 @@ def of_claimed_sign(solution: Solution) -> Iterator[Obligation]:
     for find in solution.unknowns:
         if not find.part or find.in_givens is None or len(find.in_givens) != 1:
             continue
-        part = solution.problem.part(find.part)
-        asked = ASKED.search(part.text)
-        if asked is None or part.unit.offset:
+        words = size_asked(solution.problem.part(find.part))
+        if not words:
             continue
-        words = asked["size"] or f"how {asked['how']}"
         (tree,) = find.in_givens
         claim = f"part {find.part} is not negative, for it asks {words!r}"
         yield Obligation("claimed sign", claim, find.statement.line, ((Relation(">=", tree, ZERO),),))
+
+
+def size_asked(part: Part) -> str:
+    """The words by which a question asks for what cannot be negative; "" where it does not."""
+    asked = ASKED.search(part.text)
+    if asked is None or part.unit.offset:
+        return ""
+    return asked["size"] or f"how {asked['how']}"
 
 
 def always_so(solution: Solution) -> Iterator[Obligation]:

@@ -1,0 +1,1 @@
+"""Mutation scores: laws bent on purpose, and the checks that would notice."""

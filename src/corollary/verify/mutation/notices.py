@@ -1,0 +1,508 @@
+"""The checks of one derivation at given values of its letters: which of them a bent law would fail."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from corollary.answers.tolerance import within
+from corollary.derive.applied import applied
+from corollary.derive.cases import relations
+from corollary.derive.derivation import Always, Entry, Limit, Special
+from corollary.derive.forces import angle_of
+from corollary.derive.free_body import Forces
+from corollary.derive.load import Loaded, NotDerivable
+from corollary.derive.simulation import Seen, Simulation, simulations_of
+from corollary.derive.solution import ClosedForms, Solution
+from corollary.derive.statements import Choice, Confirm, Printed, Step
+from corollary.formula.arithmetics import DOUBLES, Evaluation, NotAvailable, ready
+from corollary.formula.ast import Relation
+from corollary.formula.from_sympy import NoTree, tree
+from corollary.grading.assign import APART, VisibleMistake, visible_mistakes
+from corollary.grading.key import Key
+from corollary.grading.neglect import neglected_in
+from corollary.grading.replay import ancestors
+from corollary.laws.law import Law
+from corollary.scenes.catalogue import run
+from corollary.scenes.plan import followed
+from corollary.scenes.run import BadSetting, GuardFailed, Run
+from corollary.verify.expected_answers import difference, foreseen, in_order
+from corollary.verify.figures import as_printed
+from corollary.verify.mutation.numeric_roots import FAILURES, Equations, Values
+from corollary.verify.mutation.spots import (
+    BentValues,
+    Contradicted,
+    Found,
+    Spot,
+    bent_values,
+    compared,
+    fulfilled,
+    spot_at,
+)
+from corollary.verify.obligations.signs import size_asked
+from corollary.verify.printed import readings_of
+from corollary.verify.walk import meets
+from corollary.verify.words.asked_sign import magnitudes_asked
+
+FAR, NEAR = 1e6, 1e-6  # times a given: as large, or as small, as a limit is tried at
+CLEAR = 1e-3  # relative: what differs so much in a limit is another
+EXACT = 1e-9  # relative: what differs so little is the same
+COARSE, BEYOND = 1e-4, 0.01  # relative: the error of a run for a bend, and what it must be off to count
+RUNS = 40  # scenes of one problem run for bends: those whose settings follow from the answers
+AT_LEAST = 4  # draws on which a mistake must coincide with the bent truth, to say that it does on all
+
+Laws = Mapping[int, tuple[Relation, ...]]
+"""The relations of bent laws, by the identity of the law: what is stated once may stand in several places."""
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """One regime of a problem as its checks see it: the derivation solved and stated, its scenes played, and spots to try."""
+
+    solution: Solution
+    loaded: Loaded
+    entries: Sequence[Entry]
+    every: Sequence[Found]
+    spots: Sequence[Spot]  # the first is that of the printed numbers, where the case holds for them
+    printed: bool
+    played: Sequence[tuple[Key, Sequence[tuple[Simulation, Run]]]]
+
+
+class Checks:
+    """The checks of one case, made ready once, and asked for each bend."""
+
+    def __init__(self, case: Case):
+        self.case = case
+        problem, solution = case.solution.problem, case.solution
+        self.parts = {found.find.part: found for found in case.every if found.find.part}
+        key = case.spots[0].key if case.spots else None
+        self.expected: dict[str, Values] = {}
+        for part_id, text in problem.expected if case.printed else ():
+            numbers = foreseen(problem, problem.part(part_id), text)
+            if numbers is not None and part_id in self.parts:
+                self.expected[part_id] = numbers
+        self.printed: list[Printed] = [
+            each
+            for each in solution.entries
+            if isinstance(each, Printed) and not each.erratum and case.printed
+        ]
+        asked = magnitudes_asked(problem)
+        self.sized = {part for part in self.parts if part in asked or size_asked(problem.part(part))}
+        self.always = [_conditions(each.condition) for each in case.entries if isinstance(each, Always)]
+        self.options = [
+            (
+                each.statement.part,
+                {letter: _option(held) for letter, held in each.options.items()},
+                each.mistakes,
+            )
+            for each in case.entries
+            if isinstance(each, Choice)
+        ]
+        self.claims = [each for each in case.entries if isinstance(each, Special | Limit)]
+        self.mistakes = visible_mistakes(solution)
+        self.rules = {
+            id(each): [ready(tree, DOUBLES) for tree in each.mistake.rule.trees]
+            for each in self.mistakes
+            if isinstance(each.mistake.rule, ClosedForms)
+        }
+        self.key = key
+        self.runs: dict[tuple[float, ...], bool] = {}
+
+    def equations(self, found: Found, laws: Laws) -> Equations:
+        """The equations of a step, with bent laws in the places of theirs."""
+        assert isinstance(found.entry, Step)
+        here = [
+            relation
+            for law, own in zip(found.entry.laws, found.find.laws, strict=True)
+            for relation in laws.get(id(law), own.here)
+        ]
+        also = tuple(symbol.name for symbol in found.entry.also)
+        return Equations(here, (*found.find.names, *also))
+
+    def bent_steps(self, laws: Laws) -> dict[int, Equations]:
+        """The equations of the steps in which a bent law stands, by place."""
+        return {
+            found.place: self.equations(found, laws)
+            for found in self.case.every
+            if isinstance(found.entry, Step) and any(id(law) in laws for law in found.entry.laws)
+        }
+
+    def notice(self, laws: Laws) -> str | None:
+        """The first check that fails where laws are bent; "" for none, None where no answer changes at all."""
+        steps = self.bent_steps(laws)
+        bent: list[BentValues] = []
+        changed = False
+        for at, spot in enumerate(self.case.spots):
+            try:
+                now = bent_values(self.case.every, steps, spot)
+            except Contradicted:
+                return "derivation"
+            bent.append(now)
+            changed = changed or self._changed(spot, now)
+            if not changed:
+                continue
+            if at == 0 and (by := self._of_the_printed_numbers(spot, now)):
+                return by
+            if by := self._at(spot, now, laws):
+                return by
+        if not changed:
+            return None
+        if by := self._claimed(steps):
+            return by
+        if by := self._coinciding(bent, steps):
+            return by
+        return "scene" if self._contradicts_a_scene(bent) else ""
+
+    def _changed(self, spot: Spot, now: BentValues) -> bool:
+        """Whether an answer that is asked is another."""
+        for found in self.parts.values():
+            values, true = now.of(found.find.names), _true(spot, found)
+            if values is None or math.dist(values, true) > EXACT * math.hypot(*values, *true):
+                return True
+        return any(
+            _held(options, now) != _held(options, BentValues(spot.letters))
+            for _part, options, _wrong in self.options
+        )
+
+    def _of_the_printed_numbers(self, spot: Spot, now: BentValues) -> str:
+        problem = self.case.solution.problem
+        for part_id, numbers in self.expected.items():
+            part, values = problem.part(part_id), now.of(self.parts[part_id].find.names)
+            zeros = tuple(float(unit.offset) for unit in part.units_for(len(numbers)))
+            if (
+                values is not None
+                and len(values) == len(numbers)
+                and difference(in_order(part, numbers), in_order(part, values), zeros)
+            ):
+                return "expected"
+        for entry in self.printed:
+            if self._printed_otherwise(entry, spot, now):
+                return "printed"
+        return ""
+
+    def _printed_otherwise(self, entry: Printed, spot: Spot, now: BentValues) -> bool:
+        part = self.case.solution.problem.part(entry.statement.part)
+        for part_id, options, _wrong in self.options:
+            if part_id == part.id:
+                held = _held(options, now)
+                return held is not None and held != [entry.text.strip("() ").lower()]
+        found = self.parts.get(part.id)
+        values = now.of(found.find.names) if found else None
+        if values is None or self.key is None:
+            return False
+        readings = readings_of(part, entry)
+        if readings:
+            each = zip(values, readings, part.units_for(len(values)), strict=False)
+            return any(
+                as_printed(value, text, read, unit) in ("differs", "order", "last figure")
+                for value, (text, read), unit in each
+            )
+        return not self.key.truths[part.id].is_met_by(values, APART)
+
+    def _at(self, spot: Spot, now: BentValues, laws: Laws) -> str:
+        """A check of the derivation itself that fails at these values."""
+        for part_id in self.sized:
+            values = now.of(self.parts[part_id].find.names)
+            if (
+                values is not None
+                and len(values) == 1
+                and values[0] < 0 <= _true(spot, self.parts[part_id])[0]
+            ):
+                return "words of the question"
+        for found in self.case.every:
+            for route in found.find.routes if isinstance(found.entry, Step) else ():
+                assert isinstance(found.entry, Step)
+                stated = next(each for each in found.entry.routes if each.line == route.stated.line)
+                for law, own in zip(stated.laws, route.stated.laws, strict=True):
+                    if not _holds(laws.get(id(law), own.here), now, spot):
+                        return "route"
+        for entry in self.case.entries:
+            if isinstance(entry, Confirm):
+                for law in entry.laws:
+                    if not _holds(laws.get(id(law)) or applied(law).here, now, spot):
+                        return "confirm"
+            elif isinstance(entry, Forces) and not self._balanced(entry, laws, spot):
+                return "forces"
+        for conditions in self.always:
+            if not now.unknown and any(fulfilled(each, now.letters) is False for each in conditions):
+                return "always"
+        for _part, options, _wrong in self.options:
+            held = _held(options, now)
+            if held is not None and len(held) != 1:
+                return "choice"
+        return ""
+
+    def _balanced(self, entry: Forces[Any, Law], laws: Laws, spot: Spot) -> bool:
+        """Whether the forces add up to one side of each bent law, or to what its sides differ by; True where it cannot be said."""
+        import sympy
+
+        name = self.case.solution.problem.part(entry.statement.part).slope
+        slope = sympy.Symbol(name, real=True) if name else None
+        try:
+            for balance in entry.balances:
+                axis = angle_of(balance.way, slope)
+                pulls = [
+                    each.magnitude * sympy.cos(angle_of(each.way, slope) - axis) for each in entry.forces
+                ]
+                total = ready(tree(sum(pulls, sympy.S.Zero)), DOUBLES)(spot.letters)
+                for relation in laws.get(id(balance.law), ()):
+                    left, right = (
+                        ready(side, DOUBLES)(spot.letters) for side in (relation.left, relation.right)
+                    )
+                    if all(off(each, total) > EXACT for each in (left, right, left - right, right - left)):
+                        return False
+        except (NoTree, NotAvailable, *FAILURES):
+            return True
+        return True
+
+    def _claimed(self, steps: Mapping[int, Equations]) -> str:
+        """A claim of a special case, or of a limit, that fails: at the first spot of which it can be said."""
+        for claim in self.claims:
+            for spot in self.case.spots[:3]:
+                holds = self.claim_holds(claim, steps, spot)
+                if holds is False:
+                    return "at" if isinstance(claim, Special) else "limit"
+        return ""
+
+    def claim_holds(self, claim: Special | Limit, steps: Mapping[int, Equations], spot: Spot) -> bool | None:
+        """Whether a claim is met, tried in numbers; None where that cannot be said, or the true values do not meet it."""
+        try:
+            tried = (
+                _special(claim, spot, self.case)
+                if isinstance(claim, Special)
+                else _limit(claim, spot, self.case)
+            )
+        except (NoTree, NotAvailable, *FAILURES):
+            return None
+        for there, wanted, allowed in tried:
+            true = spot_at(there, self.case.every)
+            if true is None:
+                continue
+            try:
+                targets = {name: each(true.letters) for name, each in wanted.items()}
+                if any(off(true.letters[name], value) > allowed / 10 for name, value in targets.items()):
+                    continue
+                now = bent_values(self.case.every, steps, true)
+                bent = {name: each(now.letters) for name, each in wanted.items()}
+            except Contradicted:
+                continue
+            except FAILURES:
+                continue
+            if now.unknown:
+                continue
+            return not any(off(now.letters[name], value) > allowed for name, value in bent.items())
+        return None
+
+    def _coinciding(self, bent: Sequence[BentValues], steps: Mapping[int, Equations]) -> str:
+        """Whether nearly no draw could be dealt: on all that are tried a mistake is the truth, or an answer is nothing or absurd."""
+        drawn = [
+            (spot, now)
+            for at, (spot, now) in enumerate(zip(self.case.spots, bent, strict=True))
+            if not (at == 0 and self.case.printed)
+        ]
+        if len(drawn) < AT_LEAST:
+            return ""
+        reasons = [self._refused(spot, now, steps) for spot, now in drawn]
+        return "" if "" in reasons else max(set(reasons), key=reasons.count)
+
+    def _refused(self, spot: Spot, now: BentValues, steps: Mapping[int, Equations]) -> str:
+        problem = self.case.solution.problem
+        for part_id, found in self.parts.items():
+            values, part = now.of(found.find.names), problem.part(part_id)
+            if values is None:
+                continue
+            if part.plausible and not all(
+                part.plausible[0] <= part.unit.from_si(value) <= part.plausible[1] for value in values
+            ):
+                return "plausible"
+            if not any(values) and found.find.scale is None and not part.rows:
+                return "no answer"
+        for each in self.mistakes:
+            if self._coincides(each, spot, now, steps):
+                return "mistake"
+        return ""
+
+    def _coincides(
+        self, each: VisibleMistake, spot: Spot, now: BentValues, steps: Mapping[int, Equations]
+    ) -> bool:
+        rule, every = self.rules.get(id(each)), self.case.every
+        if rule is None or spot.key is None or each.part not in spot.key.truths:
+            return False
+        own, last = every[each.place], every[each.at]
+        truth = now.of(last.find.names)
+        if truth is None or now.unknown & own.needs or self._holds_bent_law(each, steps):
+            return False
+        letters = dict(now.letters)
+        try:
+            letters |= zip(own.find.names, [made(letters) for made in rule], strict=True)
+            for place in range(each.place + 1, each.at + 1):
+                if each.place in ancestors(self.case.solution, place):
+                    found = every[place]
+                    if place in steps or not found.rule:
+                        return False
+                    letters |= zip(found.find.names, [made(letters) for made in found.rule], strict=True)
+        except FAILURES:
+            return False
+        values = tuple(letters[name] for name in last.find.names)
+        true = spot.key.truths[each.part]
+        if true.scales:
+            scaled = tuple(abs(value) for value in truth)
+            return replace(true, values=truth, scales=scaled).is_met_by(values, APART)
+        return within(values, truth, true.tolerance + APART, math.hypot(*truth) or true.scale)
+
+    def _holds_bent_law(self, each: VisibleMistake, steps: Mapping[int, Equations]) -> bool:
+        """Whether the mistake is made of several laws of a bent step: then its own formula may be another."""
+        entry = self.case.every[each.place].entry
+        return each.place in steps and (not isinstance(entry, Step) or len(entry.laws) > 1)
+
+    def _contradicts_a_scene(self, bent: Sequence[BentValues]) -> bool:
+        if self.case.loaded.scene is None:
+            return False
+        by_key = {id(spot.key): now for spot, now in zip(self.case.spots, bent, strict=True)}
+        for at, (key, usual) in enumerate(self.case.played):
+            now = by_key.get(id(key))
+            if now is None or not usual:
+                continue
+            answers: dict[str, Seen] = {}
+            for part in key.truths:
+                values = now.of(self.parts[part].find.names)
+                if values is None:
+                    return False
+                answers[part] = values if len(values) != 1 else values[0]
+            try:
+                wanted = simulations_of(self.case.loaded, key.variant, answers, neglected_in(key))
+            except NotDerivable:
+                return True
+            if len(wanted) != len(usual):
+                return True
+            for one, (other, shown) in zip(wanted, usual, strict=True):
+                if _same_scene(one, other):
+                    if not all(meets(one, shown, name) for name in one.expect):
+                        return True
+                elif at == 0 and self._played_otherwise(one, answers):
+                    return True
+        return False
+
+    def _played_otherwise(self, wanted: Simulation, answers: Mapping[str, Seen]) -> bool:
+        """Whether a scene that follows from the answers, played anew, contradicts them; False where that is not tried any more."""
+        flat = [x for value in answers.values() for x in (value if isinstance(value, tuple) else (value,))]
+        memo = (float(wanted.line), *(float(f"{x:.10g}") for x in flat))
+        if memo not in self.runs:
+            if len(self.runs) >= RUNS:
+                return False
+            self.runs[memo] = _contradicted(wanted)
+        return self.runs[memo]
+
+
+def _contradicted(wanted: Simulation) -> bool:
+    """Whether a scene shows something else, by a run that is as coarse as can be: what it shows is far beyond its errors."""
+    try:
+        found = (
+            run(wanted.scene, wanted.settings, tolerance=COARSE)
+            if isinstance(wanted.scene, str)
+            else followed(wanted.scene, wanted.expect.keys(), tolerance=COARSE)
+        )
+    except (BadSetting, GuardFailed):
+        return True
+    loose = replace(wanted, neglected=wanted.neglected + BEYOND)
+    return not all(meets(loose, found, name) for name in wanted.expect)
+
+
+Option = bool | tuple[str, Evaluation, Evaluation] | None
+
+
+def _option(held: object) -> Option:
+    """An option's condition ready to be held against letters; None where it is no relation of formulas."""
+    if isinstance(held, bool):
+        return held
+    try:
+        (one,) = relations(held)
+        return compared(one)
+    except (ValueError, NotAvailable):
+        return None
+
+
+def _held(options: Mapping[str, Option], now: BentValues) -> list[str] | None:
+    """The options that hold; None where that cannot be said."""
+    found: list[str] = []
+    for letter, each in options.items():
+        if each is None:
+            return None
+        held = each if isinstance(each, bool) else None if now.unknown else fulfilled(each, now.letters)
+        if held is None:
+            return None
+        if held:
+            found.append(letter)
+    return found
+
+
+def _conditions(condition: object) -> list[tuple[str, Evaluation, Evaluation]]:
+    if isinstance(condition, bool):
+        return []
+    try:
+        return [compared(each) for each in relations(condition)]
+    except (ValueError, NotAvailable):
+        return []
+
+
+def _true(spot: Spot, found: Found) -> Values:
+    return tuple(spot.letters[name] for name in found.find.names)
+
+
+def _holds(here: Sequence[Relation], now: BentValues, spot: Spot) -> bool:
+    """Whether equations hold at the bent values, as far as it can be said: what does not hold at the true ones either says nothing."""
+    try:
+        equations = Equations(here, ())
+    except NotAvailable:
+        return True
+    if equations.letters & now.unknown or not equations.letters <= now.letters.keys():
+        return True
+    return equations.hold(now.letters) or not equations.hold(spot.letters)
+
+
+def _same_scene(one: Simulation, other: Simulation) -> bool:
+    try:
+        return bool(one.scene == other.scene and one.settings == other.settings)
+    except ValueError:  # of arrays
+        return False
+
+
+def off(one: float, other: float) -> float:
+    if not math.isfinite(one) or not math.isfinite(other):
+        return 0.0
+    return abs(one - other) / (abs(one) + abs(other)) if one != other else 0.0
+
+
+Tried = list[tuple[dict[str, float], dict[str, Evaluation], float]]
+"""Givens to try a claim at, what letters must be there, and how far off they may be."""
+
+
+def _special(claim: Special, spot: Spot, case: Case) -> Tried:
+    givens = {given.symbol for given in case.solution.problem.givens}
+    own = {name: spot.letters[name] for name in givens}
+    there = {
+        name: ready(tree(value), DOUBLES)(spot.letters)
+        for name, value in claim.values.items()
+        if name in givens
+    }
+    wanted = {name: ready(tree(value), DOUBLES) for name, value in claim.values.items() if name not in givens}
+    exact = [(own | there, wanted, EXACT)]
+    near = {name: value + NEAR * (own[name] or 1.0) for name, value in there.items()}
+    return [*exact, (own | near, wanted, CLEAR)]
+
+
+def _limit(claim: Limit, spot: Spot, case: Case) -> Tried:
+    import sympy
+
+    letter = claim.letter.name
+    own = {given.symbol: spot.letters[given.symbol] for given in case.solution.problem.givens}
+    if letter not in own or not isinstance(claim.of, sympy.Symbol):
+        return []
+    to = claim.to
+    if to in (sympy.oo, -sympy.oo):
+        there = FAR * abs(own[letter] or 1.0) * (1 if to == sympy.oo else -1)
+    else:
+        there = ready(tree(to), DOUBLES)(spot.letters) + NEAR * (own[letter] or 1.0)
+    return [(own | {letter: there}, {claim.of.name: ready(tree(claim.equals), DOUBLES)}, CLEAR)]

@@ -1,0 +1,162 @@
+"""The mutation score of a problem: each law bent in each way, and held against the checks that the problem has."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from corollary.derive.applied import applied
+from corollary.derive.load import Loaded, load
+from corollary.derive.simulation import Simulation
+from corollary.derive.solution import Solution
+from corollary.derive.statements import Step
+from corollary.formula.arithmetics import NotAvailable
+from corollary.formula.ast import Relation, names
+from corollary.formula.ball import Undefined
+from corollary.formula.errors import ParseError
+from corollary.formula.from_sympy import NoTree
+from corollary.formula.operators import has_operators, measured
+from corollary.grading.key import Key
+from corollary.laws.law import Law
+from corollary.problem.bank import Bank
+from corollary.scenes.run import Run
+from corollary.units.dimensional_analysis import Dimension, dimension_of
+from corollary.verify.mutation.bends import Bend, bends
+from corollary.verify.mutation.notices import Case, Checks, Laws
+from corollary.verify.mutation.proposal import proposed
+from corollary.verify.mutation.record import MutationScore, Unnoticed
+from corollary.verify.mutation.spots import founds, spot_of
+
+DRAWS = 5  # of those walked whose keys the bends are tried on, besides the printed numbers
+Played = Sequence[tuple[Key, Sequence[tuple[Simulation, Run]]]]
+
+
+@dataclass(frozen=True, slots=True)
+class Tried:
+    """A bend of a law at a line, and the first check that it fails ("" for none)."""
+
+    law: Law
+    line: int
+    bend: Bend
+    by: str
+    laws: Laws
+
+
+def score(bank: Bank, solution: Solution, own: Key, played: Played) -> MutationScore:
+    """The score of a problem whose derivation is solved; `own` is the key of the printed numbers, `played` has the keys of draws
+    with the scenes that were run for them."""
+    every = list(_tried(bank, solution, own, played))
+    counted = [each for each in every if each.by not in ("same", "undecided")]
+    by = Counter(each.by for each in counted if each.by)
+    file = bank.solution(solution.problem).name
+    unnoticed = [each for each in counted if not each.by]
+    proposal, caught = proposed(_checks(bank, solution, own, played), [each.laws for each in unnoticed])
+    return MutationScore(
+        len(counted),
+        sum(by.values()),
+        dict(by.most_common()),
+        tuple(
+            Unnoticed(each.law.name, file, each.line, each.bend.kind, each.bend.text) for each in unnoticed
+        ),
+        sum(each.by == "undecided" for each in every),
+        proposal,
+        caught,
+    )
+
+
+def _tried(bank: Bank, solution: Solution, own: Key, played: Played) -> Iterator[Tried]:
+    checks = _checks(bank, solution, own, played)
+    dimensions = _dimensions(solution)
+    for law, line in _laws(load_once(bank, solution)):
+        for bend in filter(writable, bends(law)):
+            here = applied(bend.law).here
+            laws = {id(law): here}
+            by = "dimensions" if _misfits(here, dimensions) else _noticed(checks, laws, bend)
+            yield Tried(law, line, bend, by, laws)
+
+
+def writable(bend: Bend) -> bool:
+    """Whether it is a law that an author could state: no vector to a power."""
+    try:
+        applied(bend.law)
+    except (ValueError, TypeError):
+        return False
+    return True
+
+
+def _noticed(checks: Sequence[Checks], laws: Laws, bend: Bend) -> str:
+    """The first check of the first case that fails; "same" where no answer changes, "undecided" where it is not solved in numbers."""
+    if not checks or has_operators(bend.law.textbook):
+        return "undecided"
+    found: list[str | None] = []
+    for each in checks:
+        try:
+            by = each.notice(laws)
+        except NotAvailable:
+            return "undecided"
+        if by:
+            return by
+        found.append(by)
+    return "same" if all(each is None for each in found) else ""
+
+
+_LOADED: dict[int, tuple[Solution, Loaded]] = {}
+
+
+def load_once(bank: Bank, solution: Solution) -> Loaded:
+    """The derivation as it is stated; the laws in it are told apart by their identity, so that it is loaded once."""
+    known = _LOADED.get(id(solution))
+    if known is None or known[0] is not solution:
+        _LOADED.clear()
+        _LOADED[id(solution)] = known = (solution, load(bank, solution.problem))
+    return known[1]
+
+
+def _laws(loaded: Loaded) -> Iterator[tuple[Law, int]]:
+    """Each law of a step once, with the line of the first step in which it stands."""
+    seen: set[int] = set()
+    for branch in loaded.branches:
+        for entry in branch.derivation.entries:
+            for law in entry.laws if isinstance(entry, Step) else ():
+                if id(law) not in seen:
+                    seen.add(id(law))
+                    yield law, entry.statement.line
+
+
+def _checks(bank: Bank, solution: Solution, own: Key, played: Played) -> list[Checks]:
+    """The checks of each case for which a spot is known."""
+    loaded = load_once(bank, solution)
+    cases = [each.solution for each in solution.regimes] or [solution]
+    found: list[Checks] = []
+    for one, branch in zip(cases, loaded.branches, strict=True):
+        keys = [key for key in (own, *(key for key, _ in played)) if key.solution is one or len(cases) == 1]
+        try:
+            every = founds(one, branch.derivation.entries)
+            spots = [spot_of(key, every) for key in keys]
+            if spots:
+                entries = branch.derivation.entries
+                found.append(Checks(Case(one, loaded, entries, every, spots, keys[0] is own, played)))
+        except (NotAvailable, NoTree, Undefined):
+            continue
+    return found
+
+
+def _dimensions(solution: Solution) -> dict[str, Dimension]:
+    """Of every letter; of a case's own, those of the first case that has it."""
+    found = {given.symbol: given.unit.dimension for given in solution.problem.givens}
+    for one in [each.solution for each in solution.regimes] or [solution]:
+        for find in one.unknowns:
+            found = dict(zip(find.names, find.dimensions, strict=True)) | found
+            for function in find.functions:
+                found = dict(function.dimensions) | found
+    return found
+
+
+def _misfits(here: Sequence[Relation], dimensions: Mapping[str, Dimension]) -> bool:
+    """Whether the check of dimensions would refuse a law."""
+    return any(
+        isinstance(dimension_of(measured(relation), dimensions), ParseError)
+        for relation in here
+        if not names(measured(relation)) - {"pi"} - dimensions.keys()
+    )
