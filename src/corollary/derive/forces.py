@@ -13,7 +13,7 @@ from corollary.derive.applied import applied
 from corollary.derive.free_body import Acting, Along, Forces
 from corollary.derive.known import Known, vanishes
 from corollary.derive.solution import SolvedForces
-from corollary.formula.ast import Relation
+from corollary.formula.ast import Expr, Relation
 from corollary.formula.from_sympy import tree
 from corollary.formula.syntax import author_formula
 from corollary.formula.to_sympy import expression
@@ -47,6 +47,14 @@ def solved_forces(entry: Forces[Any, Law], part: Part, known: Known) -> SolvedFo
         entry.mistakes,
         None if slope is None else tree(slope),
     )
+
+
+def sum_along(entry: Forces[Any, Law], way: Any, slope: str) -> Expr:
+    """The sum of the components of all forces along a direction, as a formula; `slope` is the letter of its angle. Raises ValueError."""
+    angle = sympy.Symbol(slope, real=True) if slope else None
+    axis = angle_of(way, angle)
+    pulls = [each.magnitude * sympy.cos(angle_of(each.way, angle) - axis) for each in entry.forces]
+    return tree(sum(pulls, sympy.S.Zero))
 
 
 def angle_of(way: Any, slope: sympy.Expr | None) -> sympy.Expr:

@@ -11,14 +11,14 @@ from corollary.answers.tolerance import within
 from corollary.derive.applied import applied
 from corollary.derive.cases import relations
 from corollary.derive.derivation import Always, Entry, Limit, Special
-from corollary.derive.forces import angle_of
+from corollary.derive.forces import sum_along
 from corollary.derive.free_body import Forces
 from corollary.derive.load import Loaded, NotDerivable
 from corollary.derive.simulation import Seen, Simulation, simulations_of
 from corollary.derive.solution import ClosedForms, Solution
 from corollary.derive.statements import Choice, Confirm, Printed, Step
 from corollary.formula.arithmetics import DOUBLES, Evaluation, NotAvailable, ready
-from corollary.formula.ast import Relation
+from corollary.formula.ast import Name, Relation
 from corollary.formula.from_sympy import NoTree, tree
 from corollary.grading.assign import APART, VisibleMistake, visible_mistakes
 from corollary.grading.key import Key
@@ -236,24 +236,17 @@ class Checks:
 
     def _balanced(self, entry: Forces[Any, Law], laws: Laws, spot: Spot) -> bool:
         """Whether the forces add up to one side of each bent law, or to what its sides differ by; True where it cannot be said."""
-        import sympy
-
-        name = self.case.solution.problem.part(entry.statement.part).slope
-        slope = sympy.Symbol(name, real=True) if name else None
+        slope = self.case.solution.problem.part(entry.statement.part).slope
         try:
             for balance in entry.balances:
-                axis = angle_of(balance.way, slope)
-                pulls = [
-                    each.magnitude * sympy.cos(angle_of(each.way, slope) - axis) for each in entry.forces
-                ]
-                total = ready(tree(sum(pulls, sympy.S.Zero)), DOUBLES)(spot.letters)
+                total = ready(sum_along(entry, balance.way, slope), DOUBLES)(spot.letters)
                 for relation in laws.get(id(balance.law), ()):
                     left, right = (
                         ready(side, DOUBLES)(spot.letters) for side in (relation.left, relation.right)
                     )
                     if all(off(each, total) > EXACT for each in (left, right, left - right, right - left)):
                         return False
-        except (NoTree, NotAvailable, *FAILURES):
+        except (NotAvailable, *FAILURES):  # NoTree, and a direction that is none, are ValueErrors
             return True
         return True
 
@@ -494,15 +487,12 @@ def _special(claim: Special, spot: Spot, case: Case) -> Tried:
 
 
 def _limit(claim: Limit, spot: Spot, case: Case) -> Tried:
-    import sympy
-
-    letter = claim.letter.name
+    letter, of = claim.letter.name, tree(claim.of)
     own = {given.symbol: spot.letters[given.symbol] for given in case.solution.problem.givens}
-    if letter not in own or not isinstance(claim.of, sympy.Symbol):
+    if letter not in own or not isinstance(of, Name):
         return []
-    to = claim.to
-    if to in (sympy.oo, -sympy.oo):
-        there = FAR * abs(own[letter] or 1.0) * (1 if to == sympy.oo else -1)
+    if claim.to.is_infinite:
+        there = FAR * abs(own[letter] or 1.0) * (1 if claim.to.is_positive else -1)
     else:
-        there = ready(tree(to), DOUBLES)(spot.letters) + NEAR * (own[letter] or 1.0)
-    return [(own | {letter: there}, {claim.of.name: ready(tree(claim.equals), DOUBLES)}, CLEAR)]
+        there = ready(tree(claim.to), DOUBLES)(spot.letters) + NEAR * (own[letter] or 1.0)
+    return [(own | {letter: there}, {of.name: ready(tree(claim.equals), DOUBLES)}, CLEAR)]
