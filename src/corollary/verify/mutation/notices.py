@@ -34,8 +34,8 @@ from corollary.verify.mutation.numeric_roots import FAILURES, Equations, Values
 from corollary.verify.mutation.spots import (
     BentValues,
     Contradicted,
-    Found,
-    Spot,
+    FindInDoubles,
+    MutationSpot,
     bent_values,
     compared,
     fulfilled,
@@ -58,14 +58,14 @@ Laws = Mapping[int, tuple[Relation, ...]]
 
 
 @dataclass(frozen=True, slots=True)
-class Case:
+class MutationCase:
     """One regime of a problem as its checks see it: the derivation solved and stated, its scenes played, and spots to try."""
 
     solution: Solution
     loaded: Loaded
     entries: Sequence[Entry]
-    every: Sequence[Found]
-    spots: Sequence[Spot]  # the first is that of the printed numbers, where the case holds for them
+    every: Sequence[FindInDoubles]
+    spots: Sequence[MutationSpot]  # the first is that of the printed numbers, where the case holds for them
     printed: bool
     played: Sequence[tuple[Key, Sequence[tuple[Simulation, Run]]]]
 
@@ -73,7 +73,7 @@ class Case:
 class Checks:
     """The checks of one case, made ready once, and asked for each bend."""
 
-    def __init__(self, case: Case):
+    def __init__(self, case: MutationCase):
         self.case = case
         problem, solution = case.solution.problem, case.solution
         self.parts = {found.find.part: found for found in case.every if found.find.part}
@@ -110,7 +110,7 @@ class Checks:
         self.key = key
         self.runs: dict[tuple[float, ...], bool] = {}
 
-    def equations(self, found: Found, laws: Laws) -> Equations:
+    def equations(self, found: FindInDoubles, laws: Laws) -> Equations:
         """The equations of a step, with bent laws in the places of theirs."""
         assert isinstance(found.entry, Step)
         here = [
@@ -155,7 +155,7 @@ class Checks:
             return by
         return "scene" if self._contradicts_a_scene(bent) else ""
 
-    def _changed(self, spot: Spot, now: BentValues) -> bool:
+    def _changed(self, spot: MutationSpot, now: BentValues) -> bool:
         """Whether an answer that is asked is another."""
         for found in self.parts.values():
             values, true = now.of(found.find.names), _true(spot, found)
@@ -166,7 +166,7 @@ class Checks:
             for _part, options, _wrong in self.options
         )
 
-    def _of_the_printed_numbers(self, spot: Spot, now: BentValues) -> str:
+    def _of_the_printed_numbers(self, spot: MutationSpot, now: BentValues) -> str:
         problem = self.case.solution.problem
         for part_id, numbers in self.expected.items():
             part, values = problem.part(part_id), now.of(self.parts[part_id].find.names)
@@ -182,7 +182,7 @@ class Checks:
                 return "printed"
         return ""
 
-    def _printed_otherwise(self, entry: Printed, spot: Spot, now: BentValues) -> bool:
+    def _printed_otherwise(self, entry: Printed, spot: MutationSpot, now: BentValues) -> bool:
         part = self.case.solution.problem.part(entry.statement.part)
         for part_id, options, _wrong in self.options:
             if part_id == part.id:
@@ -201,7 +201,7 @@ class Checks:
             )
         return not self.key.truths[part.id].is_met_by(values, APART)
 
-    def _at(self, spot: Spot, now: BentValues, laws: Laws) -> str:
+    def _at(self, spot: MutationSpot, now: BentValues, laws: Laws) -> str:
         """A check of the derivation itself that fails at these values."""
         for part_id in self.sized:
             values = now.of(self.parts[part_id].find.names)
@@ -234,7 +234,7 @@ class Checks:
                 return "choice"
         return ""
 
-    def _balanced(self, entry: Forces[Any, Law], laws: Laws, spot: Spot) -> bool:
+    def _balanced(self, entry: Forces[Any, Law], laws: Laws, spot: MutationSpot) -> bool:
         """Whether the forces add up to one side of each bent law, or to what its sides differ by; True where it cannot be said."""
         slope = self.case.solution.problem.part(entry.statement.part).slope
         try:
@@ -259,7 +259,9 @@ class Checks:
                     return "at" if isinstance(claim, Special) else "limit"
         return ""
 
-    def claim_holds(self, claim: Special | Limit, steps: Mapping[int, Equations], spot: Spot) -> bool | None:
+    def claim_holds(
+        self, claim: Special | Limit, steps: Mapping[int, Equations], spot: MutationSpot
+    ) -> bool | None:
         """Whether a claim is met, tried in numbers; None where that cannot be said, or the true values do not meet it."""
         try:
             tried = (
@@ -300,7 +302,7 @@ class Checks:
         reasons = [self._refused(spot, now, steps) for spot, now in drawn]
         return "" if "" in reasons else max(set(reasons), key=reasons.count)
 
-    def _refused(self, spot: Spot, now: BentValues, steps: Mapping[int, Equations]) -> str:
+    def _refused(self, spot: MutationSpot, now: BentValues, steps: Mapping[int, Equations]) -> str:
         problem = self.case.solution.problem
         for part_id, found in self.parts.items():
             values, part = now.of(found.find.names), problem.part(part_id)
@@ -318,7 +320,7 @@ class Checks:
         return ""
 
     def _coincides(
-        self, each: VisibleMistake, spot: Spot, now: BentValues, steps: Mapping[int, Equations]
+        self, each: VisibleMistake, spot: MutationSpot, now: BentValues, steps: Mapping[int, Equations]
     ) -> bool:
         rule, every = self.rules.get(id(each)), self.case.every
         if rule is None or spot.key is None or each.part not in spot.key.truths:
@@ -370,9 +372,9 @@ class Checks:
                 return True
             if len(wanted) != len(usual):
                 return True
-            for one, (other, shown) in zip(wanted, usual, strict=True):
+            for one, (other, played) in zip(wanted, usual, strict=True):
                 if _same_scene(one, other):
-                    if not all(meets(one, shown, name) for name in one.expect):
+                    if not all(meets(one, played, name) for name in one.expect):
                         return True
                 elif at == 0 and self._played_otherwise(one, answers):
                     return True
@@ -440,11 +442,11 @@ def _conditions(condition: object) -> list[tuple[str, Evaluation, Evaluation]]:
         return []
 
 
-def _true(spot: Spot, found: Found) -> Values:
+def _true(spot: MutationSpot, found: FindInDoubles) -> Values:
     return tuple(spot.letters[name] for name in found.find.names)
 
 
-def _holds(here: Sequence[Relation], now: BentValues, spot: Spot) -> bool:
+def _holds(here: Sequence[Relation], now: BentValues, spot: MutationSpot) -> bool:
     """Whether equations hold at the bent values, as far as it can be said: what does not hold at the true ones either says nothing."""
     try:
         equations = Equations(here, ())
@@ -468,11 +470,11 @@ def off(one: float, other: float) -> float:
     return abs(one - other) / (abs(one) + abs(other)) if one != other else 0.0
 
 
-Tried = list[tuple[dict[str, float], dict[str, Evaluation], float]]
+Attempts = list[tuple[dict[str, float], dict[str, Evaluation], float]]
 """Givens to try a claim at, what letters must be there, and how far off they may be."""
 
 
-def _special(claim: Special, spot: Spot, case: Case) -> Tried:
+def _special(claim: Special, spot: MutationSpot, case: MutationCase) -> Attempts:
     givens = {given.symbol for given in case.solution.problem.givens}
     own = {name: spot.letters[name] for name in givens}
     there = {
@@ -486,7 +488,7 @@ def _special(claim: Special, spot: Spot, case: Case) -> Tried:
     return [*exact, (own | near, wanted, CLEAR)]
 
 
-def _limit(claim: Limit, spot: Spot, case: Case) -> Tried:
+def _limit(claim: Limit, spot: MutationSpot, case: MutationCase) -> Attempts:
     letter, of = claim.letter.name, tree(claim.of)
     own = {given.symbol: spot.letters[given.symbol] for given in case.solution.problem.givens}
     if letter not in own or not isinstance(of, Name):

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-SHOWN, MOST_LAWS = 3, 8  # bends of a law, and laws, that are shown to a person
+LISTED, MOST_LAWS = 3, 8  # bends of a law, and laws, that are shown to a person
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,8 +49,8 @@ class MutationScore:
             laws.setdefault(f"{each.file}:{each.line}: {each.law}", []).append(each.bend)
         found = [self.sentence]
         for law, several in list(laws.items())[:MOST_LAWS]:
-            more = f" and {len(several) - SHOWN} more" if len(several) > SHOWN else ""
-            found.append(f"  not noticed in {law}: {'; '.join(several[:SHOWN])}{more}")
+            more = f" and {len(several) - LISTED} more" if len(several) > LISTED else ""
+            found.append(f"  not noticed in {law}: {'; '.join(several[:LISTED])}{more}")
         if len(laws) > MOST_LAWS:
             found.append(f"  and in {len(laws) - MOST_LAWS} more laws: --json has all")
         if self.proposal:

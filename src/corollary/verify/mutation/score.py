@@ -23,7 +23,7 @@ from corollary.problem.bank import Bank
 from corollary.scenes.run import Run
 from corollary.units.dimensional_analysis import Dimension, dimension_of
 from corollary.verify.mutation.bends import Bend, bends
-from corollary.verify.mutation.notices import Case, Checks, Laws
+from corollary.verify.mutation.notices import MutationCase, Checks, Laws
 from corollary.verify.mutation.proposal import proposed
 from corollary.verify.mutation.record import MutationScore, Unnoticed
 from corollary.verify.mutation.spots import founds, spot_of
@@ -33,7 +33,7 @@ Played = Sequence[tuple[Key, Sequence[tuple[Simulation, Run]]]]
 
 
 @dataclass(frozen=True, slots=True)
-class Tried:
+class BentLaw:
     """A bend of a law at a line, and the first check that it fails ("" for none)."""
 
     law: Law
@@ -65,7 +65,7 @@ def score(bank: Bank, solution: Solution, own: Key, played: Played) -> MutationS
     )
 
 
-def _tried(bank: Bank, solution: Solution, own: Key, played: Played) -> Iterator[Tried]:
+def _tried(bank: Bank, solution: Solution, own: Key, played: Played) -> Iterator[BentLaw]:
     checks = _checks(bank, solution, own, played)
     dimensions = _dimensions(solution)
     for law, line in _laws(load_once(bank, solution)):
@@ -73,7 +73,7 @@ def _tried(bank: Bank, solution: Solution, own: Key, played: Played) -> Iterator
             here = applied(bend.law).here
             laws = {id(law): here}
             by = "dimensions" if _misfits(here, dimensions) else _noticed(checks, laws, bend)
-            yield Tried(law, line, bend, by, laws)
+            yield BentLaw(law, line, bend, by, laws)
 
 
 def writable(bend: Bend) -> bool:
@@ -136,7 +136,7 @@ def _checks(bank: Bank, solution: Solution, own: Key, played: Played) -> list[Ch
             spots = [spot_of(key, every) for key in keys]
             if spots:
                 entries = branch.derivation.entries
-                found.append(Checks(Case(one, loaded, entries, every, spots, keys[0] is own, played)))
+                found.append(Checks(MutationCase(one, loaded, entries, every, spots, keys[0] is own, played)))
         except (NotAvailable, NoTree, Undefined):
             continue
     return found

@@ -23,7 +23,7 @@ class Contradicted(Exception):
 
 
 @dataclass(slots=True)
-class Spot:
+class MutationSpot:
     """One draw: its givens and every letter that is found, in doubles; `key` where a key was made for it."""
 
     letters: dict[str, float]
@@ -45,7 +45,7 @@ class BentValues:
 
 
 @dataclass(slots=True)
-class Found:
+class FindInDoubles:
     """A find with the entry that states it, its rule and its conditions in doubles."""
 
     place: int
@@ -57,7 +57,7 @@ class Found:
     aside: dict[str, Evaluation]
 
 
-def founds(solution: Solution, entries: Sequence[Entry]) -> list[Found]:
+def founds(solution: Solution, entries: Sequence[Entry]) -> list[FindInDoubles]:
     """The finds of a derivation, in their order. Raises NotAvailable where a formula has no doubles."""
     stated = [entry for entry in entries if isinstance(entry, Finding)]
     return [
@@ -66,7 +66,7 @@ def founds(solution: Solution, entries: Sequence[Entry]) -> list[Found]:
     ]
 
 
-def _found(place: int, entry: Finding, find: Unknown) -> Found:
+def _found(place: int, entry: Finding, find: Unknown) -> FindInDoubles:
     rule: list[Evaluation] = []
     needs = frozenset[str]()
     if isinstance(find.local, ClosedForms):
@@ -78,7 +78,7 @@ def _found(place: int, entry: Finding, find: Unknown) -> Found:
         needs |= {str(each) for each in entry.of.free_symbols}
     where = None if find.where is None else [compared(each) for each in find.where]
     aside = {name: ready(each, DOUBLES) for name, each in find.aside.items()}
-    return Found(place, entry, find, rule, needs, where, aside)
+    return FindInDoubles(place, entry, find, rule, needs, where, aside)
 
 
 def compared(relation: Relation) -> tuple[str, Evaluation, Evaluation]:
@@ -106,7 +106,7 @@ def fulfilled(condition: tuple[str, Evaluation, Evaluation], letters: Mapping[st
             return False
 
 
-def spot_of(key: Key, every: Sequence[Found]) -> Spot:
+def spot_of(key: Key, every: Sequence[FindInDoubles]) -> MutationSpot:
     """The letters of a key, and what laws needed besides."""
     letters = {name: float(value) for name, value in key.variant.exact.items()}
     for found, values in zip(every, key.values, strict=True):
@@ -114,10 +114,10 @@ def spot_of(key: Key, every: Sequence[Found]) -> Spot:
         letters |= {
             name: value for name, each in found.aside.items() if (value := _value(each, letters)) is not None
         }
-    return Spot(letters, key)
+    return MutationSpot(letters, key)
 
 
-def spot_at(givens: Mapping[str, float], every: Sequence[Found]) -> Spot | None:
+def spot_at(givens: Mapping[str, float], every: Sequence[FindInDoubles]) -> MutationSpot | None:
     """The letters for givens that no variant has; None where one has no value."""
     letters = dict(givens)
     for found in every:
@@ -133,7 +133,7 @@ def spot_at(givens: Mapping[str, float], every: Sequence[Found]) -> Spot | None:
         letters |= {
             name: value for name, each in found.aside.items() if (value := _value(each, letters)) is not None
         }
-    return Spot(letters)
+    return MutationSpot(letters)
 
 
 def _value(evaluation: Evaluation, letters: Mapping[str, float]) -> float | None:
@@ -143,7 +143,9 @@ def _value(evaluation: Evaluation, letters: Mapping[str, float]) -> float | None
         return None
 
 
-def bent_values(every: Sequence[Found], bent: Mapping[int, Equations], spot: Spot) -> BentValues:
+def bent_values(
+    every: Sequence[FindInDoubles], bent: Mapping[int, Equations], spot: MutationSpot
+) -> BentValues:
     """Every letter where the laws of some steps are bent, by place. Raises Contradicted."""
     true = spot.letters
     asked = {name for found in every for name in (*found.find.names, *found.aside, *_also(found))}
@@ -181,7 +183,7 @@ def bent_values(every: Sequence[Found], bent: Mapping[int, Equations], spot: Spo
     return found_now
 
 
-def _also(found: Found) -> tuple[str, ...]:
+def _also(found: FindInDoubles) -> tuple[str, ...]:
     return tuple(symbol.name for symbol in found.entry.also) if isinstance(found.entry, Step) else ()
 
 
@@ -189,7 +191,7 @@ def _same(one: float, other: float) -> bool:
     return one == other or abs(one - other) <= UNCHANGED * max(abs(one), abs(other))
 
 
-def _root(found: Found, equations: Equations, letters: Mapping[str, float], near: Values) -> Values:
+def _root(found: FindInDoubles, equations: Equations, letters: Mapping[str, float], near: Values) -> Values:
     """The root that is meant. Raises Contradicted."""
     roots = equations.roots(letters, near)
     if roots is None:
