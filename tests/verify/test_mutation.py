@@ -12,7 +12,7 @@ from corollary.laws.law import law, own_letters
 from corollary.problem.bank import Bank
 from corollary.problem.reader import read_problem
 from corollary.verify.mutation.bends import bends
-from corollary.verify.mutation.numeric_roots import Equations
+from corollary.verify.mutation.numeric_roots import NumericEquations
 from corollary.verify.mutation.record import MutationScore, from_data
 from corollary.verify.verify import verify
 
@@ -208,7 +208,7 @@ def test_a_score_is_kept_as_data(checked):
 def test_all_roots_are_found_in_numbers(laws, unknowns, letters, near, roots):
     from corollary.formula.syntax import author_formula
 
-    found = Equations([author_formula(each) for each in laws], unknowns.split()).roots(letters, near)
+    found = NumericEquations([author_formula(each) for each in laws], unknowns.split()).roots(letters, near)
     if roots is None:
         assert found is None
         return

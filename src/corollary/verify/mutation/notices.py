@@ -30,7 +30,7 @@ from corollary.scenes.plan import followed
 from corollary.scenes.run import BadSetting, GuardFailed, Run
 from corollary.verify.expected_answers import difference, foreseen, in_order
 from corollary.verify.figures import as_printed
-from corollary.verify.mutation.numeric_roots import FAILURES, Equations, Values
+from corollary.verify.mutation.numeric_roots import FAILURES, NumericEquations, Values
 from corollary.verify.mutation.spots import (
     BentValues,
     Contradicted,
@@ -110,7 +110,7 @@ class Checks:
         self.key = key
         self.runs: dict[tuple[float, ...], bool] = {}
 
-    def equations(self, found: FindInDoubles, laws: Laws) -> Equations:
+    def equations(self, found: FindInDoubles, laws: Laws) -> NumericEquations:
         """The equations of a step, with bent laws in the places of theirs."""
         assert isinstance(found.entry, Step)
         here = [
@@ -119,9 +119,9 @@ class Checks:
             for relation in laws.get(id(law), own.here)
         ]
         also = tuple(symbol.name for symbol in found.entry.also)
-        return Equations(here, (*found.find.names, *also))
+        return NumericEquations(here, (*found.find.names, *also))
 
-    def bent_steps(self, laws: Laws) -> dict[int, Equations]:
+    def bent_steps(self, laws: Laws) -> dict[int, NumericEquations]:
         """The equations of the steps in which a bent law stands, by place."""
         return {
             found.place: self.equations(found, laws)
@@ -250,7 +250,7 @@ class Checks:
             return True
         return True
 
-    def _claimed(self, steps: Mapping[int, Equations]) -> str:
+    def _claimed(self, steps: Mapping[int, NumericEquations]) -> str:
         """A claim of a special case, or of a limit, that fails: at the first spot of which it can be said."""
         for claim in self.claims:
             for spot in self.case.spots[:3]:
@@ -260,7 +260,7 @@ class Checks:
         return ""
 
     def claim_holds(
-        self, claim: Special | Limit, steps: Mapping[int, Equations], spot: MutationSpot
+        self, claim: Special | Limit, steps: Mapping[int, NumericEquations], spot: MutationSpot
     ) -> bool | None:
         """Whether a claim is met, tried in numbers; None where that cannot be said, or the true values do not meet it."""
         try:
@@ -290,7 +290,7 @@ class Checks:
             return not any(off(now.letters[name], value) > allowed for name, value in bent.items())
         return None
 
-    def _coinciding(self, bent: Sequence[BentValues], steps: Mapping[int, Equations]) -> str:
+    def _coinciding(self, bent: Sequence[BentValues], steps: Mapping[int, NumericEquations]) -> str:
         """Whether nearly no draw could be dealt: on all that are tried a mistake is the truth, or an answer is nothing or absurd."""
         drawn = [
             (spot, now)
@@ -302,7 +302,7 @@ class Checks:
         reasons = [self._refused(spot, now, steps) for spot, now in drawn]
         return "" if "" in reasons else max(set(reasons), key=reasons.count)
 
-    def _refused(self, spot: MutationSpot, now: BentValues, steps: Mapping[int, Equations]) -> str:
+    def _refused(self, spot: MutationSpot, now: BentValues, steps: Mapping[int, NumericEquations]) -> str:
         problem = self.case.solution.problem
         for part_id, found in self.parts.items():
             values, part = now.of(found.find.names), problem.part(part_id)
@@ -320,7 +320,7 @@ class Checks:
         return ""
 
     def _coincides(
-        self, each: VisibleMistake, spot: MutationSpot, now: BentValues, steps: Mapping[int, Equations]
+        self, each: VisibleMistake, spot: MutationSpot, now: BentValues, steps: Mapping[int, NumericEquations]
     ) -> bool:
         rule, every = self.rules.get(id(each)), self.case.every
         if rule is None or spot.key is None or each.part not in spot.key.truths:
@@ -347,7 +347,7 @@ class Checks:
             return replace(true, values=truth, scales=scaled).is_met_by(values, APART)
         return within(values, truth, true.tolerance + APART, math.hypot(*truth) or true.scale)
 
-    def _holds_bent_law(self, each: VisibleMistake, steps: Mapping[int, Equations]) -> bool:
+    def _holds_bent_law(self, each: VisibleMistake, steps: Mapping[int, NumericEquations]) -> bool:
         """Whether the mistake is made of several laws of a bent step: then its own formula may be another."""
         entry = self.case.every[each.place].entry
         return each.place in steps and (not isinstance(entry, Step) or len(entry.laws) > 1)
@@ -449,7 +449,7 @@ def _true(spot: MutationSpot, found: FindInDoubles) -> Values:
 def _holds(here: Sequence[Relation], now: BentValues, spot: MutationSpot) -> bool:
     """Whether equations hold at the bent values, as far as it can be said: what does not hold at the true ones either says nothing."""
     try:
-        equations = Equations(here, ())
+        equations = NumericEquations(here, ())
     except NotAvailable:
         return True
     if equations.letters & now.unknown or not equations.letters <= now.letters.keys():

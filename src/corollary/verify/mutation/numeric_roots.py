@@ -24,7 +24,7 @@ STEPS, DECADES = 24, 4  # points a decade, and decades to each side of the true 
 TURN = 180  # points of a full turn, where an angle is sought
 
 
-class Equations:
+class NumericEquations:
     """Laws ready to be evaluated: `sides` of each, in doubles."""
 
     def __init__(self, relations: Sequence[Relation], unknowns: Sequence[str]):
@@ -67,7 +67,7 @@ def _in_a_sine(relation: Relation, unknowns: Sequence[str]) -> bool:
     )
 
 
-def _roots(equations: Equations, letters: dict[str, float], near: Values) -> list[Values] | None:
+def _roots(equations: NumericEquations, letters: dict[str, float], near: Values) -> list[Values] | None:
     size = max(map(abs, near), default=0.0) or 1.0
     scales = [abs(value) or size for value in near]
 
@@ -141,7 +141,7 @@ def _linear(straight: Straight, near: Values, scales: Sequence[float]) -> list[V
 
 
 def _on_a_line(
-    equations: Equations,
+    equations: NumericEquations,
     letters: dict[str, float],
     residuals: Residuals,
     straight: Straight,
@@ -198,7 +198,7 @@ def _of_a_parabola(bow: float, slope: float, start: float) -> list[float]:
 
 
 def _of_one(
-    equations: Equations, letters: dict[str, float], residuals: Residuals, near: float, scale: float
+    equations: NumericEquations, letters: dict[str, float], residuals: Residuals, near: float, scale: float
 ) -> list[Values]:
     """Roots in one unknown: of a parabola, or between points where an equation changes its sign; if all equations hold there."""
     if equations.angular:
@@ -273,7 +273,7 @@ def _between(
 
 
 def _of_several(
-    equations: Equations,
+    equations: NumericEquations,
     letters: dict[str, float],
     residuals: Residuals,
     near: Values,

@@ -23,7 +23,7 @@ from corollary.problem.bank import Bank
 from corollary.scenes.run import Run
 from corollary.units.dimensional_analysis import Dimension, dimension_of
 from corollary.verify.mutation.bends import Bend, bends
-from corollary.verify.mutation.notices import MutationCase, Checks, Laws
+from corollary.verify.mutation.notices import Checks, Laws, MutationCase
 from corollary.verify.mutation.proposal import proposed
 from corollary.verify.mutation.record import MutationScore, Unnoticed
 from corollary.verify.mutation.spots import founds, spot_of

@@ -13,7 +13,7 @@ from corollary.formula.arithmetics import DOUBLES, Evaluation, NotAvailable, rea
 from corollary.formula.ast import Relation, names
 from corollary.formula.from_sympy import NoTree, tree
 from corollary.grading.key import Key
-from corollary.verify.mutation.numeric_roots import FAILURES, SAME, Equations, Values
+from corollary.verify.mutation.numeric_roots import FAILURES, SAME, NumericEquations, Values
 
 UNCHANGED = 1e-12  # relative: a letter that no bend has moved
 
@@ -144,7 +144,7 @@ def _value(evaluation: Evaluation, letters: Mapping[str, float]) -> float | None
 
 
 def bent_values(
-    every: Sequence[FindInDoubles], bent: Mapping[int, Equations], spot: MutationSpot
+    every: Sequence[FindInDoubles], bent: Mapping[int, NumericEquations], spot: MutationSpot
 ) -> BentValues:
     """Every letter where the laws of some steps are bent, by place. Raises Contradicted."""
     true = spot.letters
@@ -191,7 +191,9 @@ def _same(one: float, other: float) -> bool:
     return one == other or abs(one - other) <= UNCHANGED * max(abs(one), abs(other))
 
 
-def _root(found: FindInDoubles, equations: Equations, letters: Mapping[str, float], near: Values) -> Values:
+def _root(
+    found: FindInDoubles, equations: NumericEquations, letters: Mapping[str, float], near: Values
+) -> Values:
     """The root that is meant. Raises Contradicted."""
     roots = equations.roots(letters, near)
     if roots is None:
