@@ -16,7 +16,7 @@ from corollary.audit.readers.prairielearn import inputs_of
 from corollary.audit.readers.server_draw import ServerRuns
 from corollary.audit.readers.straight_line import NotRead, shortened
 from corollary.audit.record import ExerciseRecord
-from corollary.problem.diagnostic import Malformed
+from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.sandbox.limited import Limited, NotFinished
 
 SECONDS, WAITING = 20.0, 30.0  # of the processor, and on the wall: 20 MB of YAML take 15
@@ -51,7 +51,7 @@ class LimitedReader:
             laws = self._laws_file
             found = self._within_limits(partial(_laws_or_trouble, laws), laws)
             if isinstance(found, str):
-                raise LawsNotRead(found)
+                raise Malformed([Diagnostic(laws, 1, found.removeprefix(f"{laws.name}:1: "))])
             self._laws = found
         return self
 
@@ -86,14 +86,6 @@ class LimitedReader:
         known = path.suffix.lower() in {*RECORDS, *READERS} or in_question_html(path) != path
         record = ExerciseRecord(_printable(path.name, LONGEST_ID), path, 1, unread=trouble)
         return BankReading((record,), trouble, not (known and os.path.lexists(path)))
-
-
-class LawsNotRead(Malformed):
-    """The file of laws, which everything needs, and why it was not read."""
-
-    def __init__(self, sentence: str) -> None:
-        super().__init__([])
-        self.args = (sentence,)
 
 
 def _laws_or_trouble(path: Path) -> dict[str, ExerciseRecord] | str:

@@ -1,4 +1,4 @@
-"""Tags and texts of HTML in one pass, as a browser takes them apart: what is not closed goes to the end and is read once."""
+"""Tags and texts of HTML in one pass, as a browser takes them apart: what is not ended goes to the end and is read once."""
 
 from __future__ import annotations
 
@@ -38,10 +38,10 @@ def html_pieces(source: str) -> Iterator[HtmlPiece]:
             yield HtmlPiece("text", unescape(source[begun:opened]))
         if name is None:
             comment = source.startswith("<!--", opened)
-            closed = source.find("-->" if comment else ">", opened + 2)
-            if closed < 0:
+            ended = source.find("-->" if comment else ">", opened + 2)
+            if ended < 0:
                 return
-            at = begun = closed + (3 if comment else 1)
+            at = begun = ended + (3 if comment else 1)
             continue
         attributes, at = _attributes(source, name.end())
         if at < 0:
