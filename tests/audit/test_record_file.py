@@ -162,3 +162,21 @@ def test_laws_are_joined_by_id(tmp_path):
     (record,) = records_of(bank, laws_by_id(laws))
     (outcome,) = examine(record)
     assert (outcome.finding, outcome.derived) == ("wrong", "6.000 N")
+
+
+def test_an_alias_costs_its_record_alone(audited):
+    """References are not followed, however many there are; what is given twice, or nested deeply, is the record's own, too."""
+    bomb = "[*a, *a, *a, *a, *a, *a, *a, *a]"
+    found = audited(f"""
+- &a {{id: good, given: {{m: 2 kg, v: 3 m/s}}, laws: [p = m*v], asked: p, published: 6.0 kg m/s}}
+- {{id: bomb, given: {bomb}, laws: {bomb}, asked: {bomb}, published: 1 m}}
+- id: merged
+  <<: *a
+- {{id: twice, id: twice, laws: [p = m*v], asked: p, published: 1 m}}
+- {{id: deep, given: [[[[[[[[[[1]]]]]]]]]], laws: [p = m*v], asked: p, published: 1 m}}
+- {{id: huge, given: {{m: 1e999999999 kg, v: 3 m/s}}, laws: [p = m*v], asked: p, published: 1 m}}
+- {{id: too, given: {{m: 2 kg, v: 3 m/s}}, laws: [p = m*v], asked: p, published: 6.0 kg m/s}}
+""")
+    assert [each.finding for each in found if each.record.id in ("good", "too")] == ["agrees", "agrees"]
+    assert {each.finding for each in found if each.record.id not in ("good", "too")} == {"cannot say"}
+    assert any("refers to another place" in each.why for each in found)

@@ -16,6 +16,7 @@ from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import ListNode, Node, Reader, TableNode, TextNode, document
 from corollary.units.constants import CONSTANTS
 
+LAST_LINE = 1 << 31
 OF_A_FILE = ("source", "address", "licence")
 NO_RECORD = "is no record; write `id: …` and what belongs to it"
 T = TypeVar("T")
@@ -38,15 +39,18 @@ def records_in(path: Path, answers: bool = True) -> tuple[ExerciseRecord, ...]:
     with all complaints, each with its line.
     """
     source = text_of(path)
-    root = rows_in(path, source) if path.suffix.lower() == ".csv" else document(path, source)
+    faults: list[Diagnostic] = []
+    root = rows_in(path, source) if path.suffix.lower() == ".csv" else document(path, source, faults)
     of_file: list[Diagnostic] = []
     head, listed = _head(path, root, of_file)
+    of_file += [each for each in faults if not listed or each.line < listed[0].line]
+    ends = [*(each.line for each in listed[1:]), LAST_LINE]
     if len(listed) > MOST_RECORDS:
         raise Malformed([Diagnostic(path, 1, f"has more than {MOST_RECORDS} records; divide it")])
     found: dict[str, ExerciseRecord] = {}
     against: list[Diagnostic] = []
-    for node in listed:
-        complaints: list[Diagnostic] = []
+    for node, end in zip(listed, ends, strict=False):
+        complaints = [each for each in faults if node.line <= each.line < end]
         record = _record(path, node, head, complaints, answers)
         if record is not None and record.id in found:
             first = found[record.id].line

@@ -88,19 +88,20 @@ def _table(path: Path, source: str) -> TableNode:
     return node
 
 
-def document(path: Path, source: str) -> Node | None:
+def document(path: Path, source: str, faults: list[Diagnostic] | None = None) -> Node | None:
     """A whole file of YAML (or JSON, which is YAML) from somebody else: without anchors, which can make much of little.
 
-    Raises Malformed.
+    Raises Malformed; where `faults` are collected, not for what is wrong with one node.
     """
     depth = 0
+    aliases: list[yaml.AliasEvent] = []
     try:
         for event in yaml.parse(
             source, Loader=yaml.SafeLoader if not yaml.__with_libyaml__ else yaml.CSafeLoader
         ):
             line: int = event.start_mark.line + 1
             if isinstance(event, yaml.AliasEvent):
-                raise Malformed([Diagnostic(path, line, "refers to another place (*name); write it out")])
+                aliases.append(event)
             depth += isinstance(event, yaml.CollectionStartEvent)
             depth -= isinstance(event, yaml.CollectionEndEvent)
             if depth > DEEPEST:
@@ -110,10 +111,31 @@ def document(path: Path, source: str) -> Node | None:
             line = int(error.problem_mark.line) + 1
             raise Malformed([Diagnostic(path, line, f"the file is not YAML: {error.problem}")]) from None
         return _document(path, source, "the file", first=1)  # which says what is wrong in PyYAML's own words
-    return _document(path, source, "the file", first=1)
+    found, source = _without_aliases(path, source, aliases)
+    if found and faults is None:
+        raise Malformed(found)
+    if faults is not None:
+        faults += found
+    return _document(path, source, "the file", first=1, faults=faults)
 
 
-def _document(path: Path, source: str, what: str, first: int) -> Node | None:
+def _without_aliases(path: Path, source: str, aliases: list[yaml.AliasEvent]) -> tuple[list[Diagnostic], str]:
+    """A complaint for each alias, and the source with them as plain texts, which refer to nothing."""
+    if not aliases:
+        return [], source
+    found: list[Diagnostic] = []
+    lines = source.splitlines(keepends=True)
+    for each in reversed(aliases):
+        row: int = each.start_mark.line
+        start, end = each.start_mark.column, each.end_mark.column
+        found.insert(0, Diagnostic(path, row + 1, "refers to another place (*name); write it out"))
+        lines[row] = f"{lines[row][:start]}'{lines[row][start:end]}'{lines[row][end:]}"
+    return found, "".join(lines)
+
+
+def _document(
+    path: Path, source: str, what: str, first: int, faults: list[Diagnostic] | None = None
+) -> Node | None:
     """The nodes of a text whose first line has this number; None for an empty one. Raises Malformed."""
     try:
         root = _compose(source)
@@ -128,8 +150,10 @@ def _document(path: Path, source: str, what: str, first: int) -> Node | None:
         return None
     complaints: list[Diagnostic] = []
     node = _node(path, root, complaints, what, first, depth=0)
-    if complaints:
+    if complaints and faults is None:
         raise Malformed(complaints)
+    if faults is not None:
+        faults += complaints
     return node
 
 
