@@ -151,7 +151,7 @@ def _texts(size: int) -> Iterator[tuple[str, str]]:
     )
     yield "columns.csv", "id," * (size // 3) + "\n"
     yield "blank_columns.csv", "id" + "," * size + "\n" + "1" + "," * size
-    yield "field.csv", "id,laws,asked,published\n" + "a" * size + ",F = 1,F,1\n"
+    yield "field.csv", "id,laws,asked,published\n" + "a" * size + ",F = 1,F,up\n"
     yield "open_quote.csv", 'id,laws,asked,published\n"' + "a\n" * (size // 2)
     yield "values.csv", "id,given\na," + "m=1;" * (size // 4) + "\n"
     yield "nul.csv", "id,laws\n\0,\0\n"

@@ -1,6 +1,6 @@
 """Front matter read node by node: every value is text with a line number, so YAML never guesses a type."""
 
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 from __future__ import annotations
 
