@@ -50,8 +50,9 @@ from corollary.derive.statements import (
     Step,
     Supposed,
 )
+from corollary.formula.authored import as_condition, as_expression
 from corollary.grading.programs import member
-from corollary.laws.law import Law, as_expression, known_by_name, only_laws
+from corollary.laws.law import Law, known_by_name, only_laws
 from corollary.scenes.scene import Scene
 
 Unknowns = sympy.Symbol | tuple[sympy.Symbol, ...]
@@ -71,7 +72,7 @@ def cases(*stated: Case) -> Cases:
 
 def case(text: str, condition: Boolean, *entries: Entry) -> Case:
     """One regime: what the student reads of it, when it holds, and the steps that are taken then."""
-    return Case(text, condition, entries, line_of_word())
+    return Case(text, as_condition(condition), entries, line_of_word())
 
 
 def step(
@@ -93,11 +94,11 @@ def step(
         _tuple(unknowns),
         only_laws(laws),
         tuple(also),
-        where,
+        as_condition(where),
         tuple(reject),
         tuple(mistakes),
         tuple(routes),
-        scale,
+        None if scale is None else as_expression(scale),
     )
 
 
@@ -106,7 +107,8 @@ def mistake(
 ) -> Mistake[Exchange]:
     """What a student is told who put these laws in the place of one of the step, or of those named; `where` says which root."""
     named = (instead,) if isinstance(instead, str) else instead
-    return Mistake(text, Exchange(only_laws(laws), tuple(filter(None, named)), where), line_of_word())
+    which = None if where is None else as_condition(where)
+    return Mistake(text, Exchange(only_laws(laws), tuple(filter(None, named)), which), line_of_word())
 
 
 def route(because: str, *laws: Law) -> Route[Law]:
@@ -141,7 +143,7 @@ def optimum(
     """The value of `over`, between the bounds (included), at which `of` is largest (or smallest)."""
     low, high = map(as_expression, between)
     words = Statement(answers, because, line_of_word(), check)
-    return Optimum(words, _tuple(unknowns), of, over, (low, high), largest, tuple(mistakes))
+    return Optimum(words, _tuple(unknowns), as_expression(of), over, (low, high), largest, tuple(mistakes))
 
 
 def simulated(
@@ -165,7 +167,8 @@ def choice(
     part: str, because: str, *, mistakes: Mapping[str, str] | None = None, **options: Boolean | bool
 ) -> Choice[Boolean | bool]:
     """Each option with the condition under which it is the right one; exactly one may hold."""
-    return Choice(Statement(part, because, line_of_word()), options, mistakes or {})
+    held = {letter: as_condition(condition) for letter, condition in options.items()}
+    return Choice(Statement(part, because, line_of_word()), held, mistakes or {})
 
 
 def example(

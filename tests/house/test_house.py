@@ -79,6 +79,7 @@ def test_no_circles(modules):
                 "formula.functions",
                 "formula.to_sympy",
                 "formula.from_sympy",
+                "formula.authored",
                 "sandbox.worker",
             ),
         ),

@@ -7,7 +7,23 @@ import importlib
 import sys
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
+from importlib.machinery import FileFinder, SourceFileLoader
 from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from corollary.derive.comparison import NAMES, compiled
+
+
+class _Loader(SourceFileLoader):
+    """Of a module beside a solution: read as the solution is."""
+
+    def source_to_code(self, data: Any, path: Any, *, _optimize: int = -1) -> Any:
+        return compiled(bytes(data), str(path))
+
+    def exec_module(self, module: ModuleType) -> None:
+        vars(module).update(NAMES)
+        super().exec_module(module)
 
 
 @contextmanager
@@ -18,6 +34,14 @@ def importable(solution: Path) -> Generator[None]:
     """
     folder, writes = solution.parent, sys.dont_write_bytecode
     before = _loaded_from(folder)
+
+    def finder(path: str) -> FileFinder:
+        if Path(path) != folder:
+            raise ImportError(path)
+        return FileFinder(path, (_Loader, [".py"]))
+
+    sys.path_hooks.insert(0, finder)
+    sys.path_importer_cache.pop(str(folder), None)
     sys.path.insert(0, str(folder))
     sys.dont_write_bytecode = True  # a bank is not written to; and a compiled copy can be older than it looks
     importlib.invalidate_caches()
@@ -26,6 +50,8 @@ def importable(solution: Path) -> Generator[None]:
     finally:
         sys.dont_write_bytecode = writes
         sys.path.remove(str(folder))
+        sys.path_hooks.remove(finder)
+        sys.path_importer_cache.pop(str(folder), None)
         for name in _loaded_from(folder) - before:  # those before belong to whoever loaded them
             del sys.modules[name]
 

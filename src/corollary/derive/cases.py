@@ -21,7 +21,7 @@ class Case:
     """One regime: what the student reads, when it holds, and how things are found then."""
 
     text: str
-    condition: Boolean
+    condition: Boolean | bool
     entries: tuple[Entry, ...]
     line: int
 

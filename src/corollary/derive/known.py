@@ -17,11 +17,12 @@ from corollary.derive.signs import symbol_of
 from corollary.derive.solution import ClosedForms, SolvedFunction, SupposedValue
 from corollary.formula.ast import Expr, Number, Relation, names
 from corollary.formula.ast import substitute as put_in
+from corollary.formula.authored import as_expression
 from corollary.formula.ball import RationalPi, Undefined, evaluate, holds
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import NoTree, tree
 from corollary.formula.syntax import author_formula
-from corollary.laws.law import as_expression, substitute
+from corollary.laws.law import substitute
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
@@ -54,12 +55,12 @@ def in_sympy(value: RationalPi) -> sympy.Expr:
 
 def at(expression: object, where: Point) -> Any:
     """The expression's value at a point, to 30 digits; complex, infinite or undecided as sympy has it where we have none."""
-    formula = _tree(as_expression(expression))
+    formula = _tree(sympy.sympify(expression))
     if formula is not None:
         ball = _ball(formula, where, BITS)
         if ball is not None and ball.is_finite() and ball.rel_accuracy_bits() > ENOUGH:
             return sympy.Float(ball.str(DIGITS, radius=False), DIGITS)
-    return substitute(as_expression(expression), where.values).evalf(DIGITS)
+    return substitute(sympy.sympify(expression), where.values).evalf(DIGITS)
 
 
 @dataclass(frozen=True, slots=True)

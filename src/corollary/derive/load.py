@@ -16,11 +16,15 @@ from typing import Any, cast
 from corollary.answers.questions import checked
 from corollary.derive.beside import importable, modules_beside
 from corollary.derive.cases import Branch
+from corollary.derive.comparison import NAMES, compiled
 from corollary.derive.derivation import Derivation
 from corollary.derive.signs import symbol_of
 from corollary.derive.statements import SOLUTION
 from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.problem import Problem
+
+OF_NUMBERS = ("Cannot convert expression to float", "Cannot convert symbols to", "has no callable")
+"""What Python says where a function of numbers is given a formula."""
 
 
 class NotDerivable(Exception):
@@ -84,7 +88,9 @@ def _loaded(problem: Problem, path: Path) -> Loaded:
             derivation = derive(**{name: symbols[name] for name in wanted})
     except (Exception, SystemExit) as error:
         raise NotDerivable(
-            path, line_in(error, path) or line, f"derive fails: {type(error).__name__}: {error}"
+            path,
+            line_in(error, path) or line,
+            f"derive fails: {type(error).__name__}: {error}{_remedy(error)}",
         ) from error
     stated = cast("tuple[Any, ...]", derivation) if isinstance(derivation, tuple) else ()
     if not all(isinstance(each, Branch) for each in stated) or not stated:
@@ -118,7 +124,8 @@ def _module(path: Path) -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     try:
         # Compiled anew: Python takes its own copy for the same file when size and second are, as after a quick change of a sign.
-        exec(compile(path.read_bytes(), str(path), "exec", dont_inherit=True), vars(module))
+        vars(module).update(NAMES)
+        exec(compiled(path.read_bytes(), str(path)), vars(module))
     except SyntaxError as error:
         raise NotDerivable(path, error.lineno or 1, f"is not Python: {error.msg}") from None
     except (Exception, SystemExit) as error:
@@ -153,6 +160,13 @@ def _remedy(error: BaseException) -> str:
         wanted = re.search(r"cannot import name '(\w+)'", str(error))
         if wanted and (home := _in_scenes(wanted[1])):
             return f"; write from {home} import {wanted[1]}"
+    if isinstance(error, TypeError) and "truth value of Relational" in str(error):
+        return (
+            "; Python cannot join or ask conditions with letters: write And(a < b, b < c), Or(…) or Not(…) of sympy in place "
+            "of a < b < c, and, or, not, write Max and Min for max and min, and cases(…) for if"
+        )
+    if isinstance(error, TypeError) and any(each in str(error) for each in OF_NUMBERS):
+        return "; math and numpy know numbers only: take sqrt, sin, exp, pi and the like from sympy"
     if isinstance(error, ModuleNotFoundError):
         return "; put the module beside the solution, or install the package that has it"
     return ""

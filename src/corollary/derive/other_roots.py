@@ -10,8 +10,8 @@ from corollary.derive.roots import Picked
 from corollary.derive.solution import OtherRoot
 from corollary.derive.statements import Step
 from corollary.formula.ast import Expr, Relation
+from corollary.formula.authored import as_expression
 from corollary.formula.from_sympy import NoTree, tree
-from corollary.laws.law import as_expression
 
 
 def conditions(entry: Step) -> tuple[Relation, ...] | None:

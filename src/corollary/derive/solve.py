@@ -53,7 +53,7 @@ from corollary.derive.statements import (
 )
 from corollary.formula.ast import Relation
 from corollary.formula.from_sympy import tree
-from corollary.laws.law import Law, as_expression, substitute
+from corollary.laws.law import Law, substitute
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 
@@ -185,7 +185,7 @@ class Solver:
             mistakes=mistakes,
             rejected=picked.refused,
             dimensions=dimensions_asked(self.problem, entry.statement.part, local.trees, known),
-            scale=None if entry.scale is None else known.tree_in_givens(entry.scale),
+            scale=None if entry.scale is None else tree(known.in_givens(entry.scale)),
             note=None,
             functions=self.functions(entry, functions, picked.root),
             where=conditions(entry),
@@ -205,7 +205,7 @@ class Solver:
 
     def optimum(self, entry: Optimum) -> Unknown:
         known = self.known
-        goal = known.in_givens(as_expression(entry.of))
+        goal = known.in_givens(entry.of)
         value, note = best(goal, entry.over, entry.between, entry.largest, known.points)
         root = {entry.unknowns[0]: value}
         local = forms(entry.unknowns, root)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from corollary.derive.derivation import Always, Limit, Special
 from corollary.derive.spoken import line_of_word
 from corollary.derive.statements import Statement
-from corollary.laws.law import as_expression
+from corollary.formula.authored import as_condition, as_expression
 
 if TYPE_CHECKING:
     import sympy
@@ -31,4 +31,5 @@ def always(words: str, condition: Boolean | bool | str) -> Always:
 
     A condition in quotes, `"(a - b)/(a - b) > 0"`, is taken as it stands; from one in Python sympy has cancelled what it can.
     """
-    return Always(Statement("", words, line_of_word()), condition)
+    stated = condition if isinstance(condition, str) else as_condition(condition)
+    return Always(Statement("", words, line_of_word()), stated)

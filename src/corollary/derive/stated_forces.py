@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from corollary.derive.free_body import Acting, Along, Forces
 from corollary.derive.spoken import line_of_word
 from corollary.derive.statements import Statement
-from corollary.laws.law import Law, as_expression, only_laws
+from corollary.formula.authored import as_expression
+from corollary.laws.law import Law, only_laws
 
 if TYPE_CHECKING:
     import sympy

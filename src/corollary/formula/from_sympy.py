@@ -12,6 +12,7 @@ from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
+from corollary.formula.authored import NotTyped, typed
 from corollary.formula.functions import FUNCTIONS, Function
 
 SIGNS = {sympy.Eq: "=", sympy.Ne: "!=", sympy.Lt: "<", sympy.Le: "<=", sympy.Gt: ">", sympy.Ge: ">="}
@@ -26,6 +27,11 @@ class NoTree(ValueError):
 
 def tree(expr: sympy.Expr) -> Expr:
     """The expression as a formula. Raises NoTree for what has no place in one (integrals, piecewise, complex numbers)."""
+    if isinstance(expr, sympy.Float):
+        try:
+            expr = typed(expr)
+        except NotTyped as error:
+            raise NoTree(str(error)) from None
     if expr.is_Rational:
         value = Fraction(int(expr.p), int(expr.q))  # type: ignore[attr-defined]
         return _rational(value)
@@ -104,7 +110,7 @@ def _product(expr: sympy.Mul) -> Expr:
     coefficient, rest = expr.as_coeff_Mul()
     factors = list(rest.as_ordered_factors())
     factors.sort(key=lambda factor: (isinstance(factor, sympy.Function), isinstance(factor, sympy.Add)))
-    if coefficient.is_Rational and coefficient != 1:
+    if coefficient != 1:
         factors.insert(0, coefficient)
     if len(factors) == 1:
         return tree(factors[0])

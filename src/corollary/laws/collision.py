@@ -8,8 +8,9 @@ from typing import Any
 
 import sympy
 
+from corollary.formula.authored import as_expression
 from corollary.laws.energy import elastic
-from corollary.laws.law import Law, as_expression, law, sides
+from corollary.laws.law import Law, law, sides
 from corollary.laws.momentum import conservation_of_momentum
 
 

@@ -17,6 +17,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from corollary.formula.ast import Expr, Relation, names
+from corollary.formula.authored import as_expression
 from corollary.formula.errors import ParseError
 from corollary.formula.operators import (
     VECTOR_OPERATORS,
@@ -219,17 +220,6 @@ def by_name(meaning: sympy.Expr) -> sympy.Expr:
 def is_function(meaning: object) -> bool:
     """Whether a letter stands for a function, such as v(t)."""
     return isinstance(meaning, AppliedUndef)
-
-
-def as_expression(value: object) -> sympy.Expr:
-    """A number or an expression of an author's as sympy has it; 273.15 is 27315/100, as it is in a formula's text.
-
-    (Typed here once, for sympy says Any of it.)
-    """
-    found: Any = sympy.sympify(value)
-    return cast(
-        sympy.Expr, found.xreplace({each: sympy.Rational(str(each)) for each in found.atoms(sympy.Float)})
-    )
 
 
 def substitute(expression: Any, values: Mapping[Any, sympy.Expr]) -> Any:
