@@ -10,7 +10,8 @@ from typing import Any
 import sympy
 
 from corollary.derive.derivation import Limit, Special
-from corollary.derive.known import Known, vanishes
+from corollary.derive.known import Known
+from corollary.derive.sampled import Equality, compared
 
 UNSETTLED = (sympy.nan, sympy.zoo)
 
@@ -51,8 +52,8 @@ def _limit(claim: Limit, known: Known) -> Iterator[str]:
     wanted = known.with_asides(claim.equals)
     if found is None:
         yield f"{about} cannot be worked out; leave it out, or claim a special case with at(…)"
-    elif found != wanted and not (found.is_finite is not False and vanishes(found - wanted)):
-        yield f"{about} is {found}, not {claim.equals}"
+    elif found != wanted:
+        yield from _different(about, found, wanted, claim.equals, known)
 
 
 def _special(claim: Special, known: Known) -> Iterator[str]:
@@ -76,8 +77,20 @@ def _special(claim: Special, known: Known) -> Iterator[str]:
         wanted = known.with_asides(value).subs(at, simultaneous=True)
         if there is None or there.has(*UNSETTLED):
             yield f"at {case}: {symbol} has no value"
-        elif there != wanted and not vanishes(there - wanted):
-            yield f"at {case}: {symbol} is {there}, not {value}"
+        elif there != wanted:
+            yield from _different(f"at {case}: {symbol}", there, wanted, value, known)
+
+
+def _different(about: str, found: Any, wanted: Any, claimed: object, known: Known) -> Iterator[str]:
+    """A sentence where what is found is not what is claimed, or where that was not decided."""
+    same = (
+        Equality("differ") if False in (found.is_finite, wanted.is_finite) else compared(found, wanted, known)
+    )
+    if same.how == "differ":
+        numbers = f" ({same.shown('it', 'the claim')})" if same.at else ""
+        yield f"{about} is {found}, not {claimed}{numbers}"
+    elif not same.holds:
+        yield f"{about} is {found}; whether that is {claimed} was not decided, neither by algebra nor at numbers"
 
 
 def _strange(expressions: Any, known: Known) -> str:

@@ -25,7 +25,7 @@ from corollary.formula.syntax import author_formula
 from corollary.laws.law import substitute
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
-from corollary.problem.variant import chapter
+from corollary.problem.variant import Variant, chapter, written
 from corollary.units.dimensional_analysis import Dimension, dimension_of
 
 DIGITS, BITS = 30, 128
@@ -41,11 +41,17 @@ class Point:
 
     values: dict[sympy.Symbol, sympy.Expr]
     balls: dict[str, Any]
+    written: Mapping[str, str]
+    """The givens as a student reads them."""
 
 
-def point(givens: Mapping[str, RationalPi], symbols: list[sympy.Symbol]) -> Point:
+def point(variant: Variant, symbols: list[sympy.Symbol]) -> Point:
     """The point of a variant."""
-    return Point({symbol: in_sympy(givens[symbol.name]) for symbol in symbols}, dict(givens))
+    shown = {
+        given.symbol: written(variant, given.symbol) for given in variant.problem.givens if not given.source
+    }
+    givens = variant.exact
+    return Point({symbol: in_sympy(givens[symbol.name]) for symbol in symbols}, dict(givens), shown)
 
 
 def in_sympy(value: RationalPi) -> sympy.Expr:
@@ -112,7 +118,7 @@ class Known:
         fitting = [each for each in variants if all(holds(one, each.exact) for one in conditions)]
         if not fitting:
             raise ValueError(f"it holds for none of {len(variants)} draws; mend its condition, or the ranges")
-        self._points = [point(variant.exact, givens) for variant in fitting[:POINTS]]
+        self._points = [point(variant, givens) for variant in fitting[:POINTS]]
 
     @property
     def letters(self) -> set[sympy.Symbol]:

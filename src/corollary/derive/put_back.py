@@ -1,19 +1,21 @@
-"""Laws put back: whether each holds identically, with every unknown put in."""
+"""Laws and claims with every unknown put back into them."""
 
 # pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
 
 import sympy
 
 from corollary.derive.claims import unfulfilled
 from corollary.derive.derivation import Asserted
 from corollary.derive.functions import is_differential, letters_in, put_back
-from corollary.derive.known import Known, vanishes
+from corollary.derive.known import Known
 from corollary.derive.load import load
-from corollary.derive.sampled import holds
+from corollary.derive.sampled import NO_NUMBERS, Equality, How, compared, holds
 from corollary.derive.solve import Solver, solvers
 from corollary.derive.statements import Confirm, Neglected, Step
 from corollary.laws.law import Law, sides, symbols
@@ -21,49 +23,75 @@ from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 
 
-def unproven(bank: Bank, problem: Problem) -> tuple[int, list[str]]:
-    """The laws checked: how many equations hold identically with every unknown put in, and which do not. Raises NotDerivable."""
-    proven, left = 0, list[str]()
+@dataclass(frozen=True, slots=True)
+class PutBack:
+    """An equation of a law, or a claim, with all that was found put in: how it holds, or the sentence that says why not.
+
+    `line` is that of the step or claim. What is found by a simulation has no formula to be put in ("simulated").
+    """
+
+    line: int
+    how: How | Literal["simulated"]
+    complaint: str = ""
+    at: Mapping[str, str] = field(default_factory=lambda: NO_NUMBERS)
+
+
+def put_laws_back(bank: Bank, problem: Problem) -> list[PutBack]:
+    """Every law and every claim of a derivation, those of each case. Raises NotDerivable."""
+    found: list[PutBack] = []
     for solver in solvers(problem, load(bank, problem)):
         solver.solution()
-        found, missing = _put_back(solver)
-        proven, left = proven + found, left + [each for each in missing if each not in left]
-    return proven, left
+        found += _put_back(solver)
+    return found
 
 
-def _put_back(solver: Solver) -> tuple[int, list[str]]:
-    proven, left = 0, list[str]()
+def _put_back(solver: Solver) -> Iterator[PutBack]:
     for entry in solver.loaded.derivation.entries:
         step = entry.bound if isinstance(entry, Neglected) else entry
+        line = step.statement.line
         if isinstance(step, Asserted):
-            sentences = list(_unmet(step, solver.known))
-            proven += (len(step.laws) if isinstance(step, Confirm) else 1) - len(sentences)
-            left += [str(solver.failing(each, step.statement.line)) for each in sentences]
+            sentences = [str(solver.failing(each, line)) for each in _unmet(step, solver.known)]
+            yield from (PutBack(line, "differ", each) for each in sentences)
+            claimed = len(step.laws) if isinstance(step, Confirm) else 1
+            yield from [PutBack(line, "algebra")] * (claimed - len(sentences))
         if isinstance(step, Step):
             for law in (*step.laws, *(law for route in step.routes for law in route.laws)):
                 for one, other in sides(law):
-                    residual = solver.known.with_asides(one - other)
-                    if _vanishes(residual, law, solver.known):
-                        proven += 1
-                    elif not residual.free_symbols & solver.known.measured:
-                        sentence = f"{law.name} does not hold for the answers: {one} = {other}"
-                        left.append(str(solver.failing(sentence, step.statement.line)))
-    return proven, left
+                    if (one - other).free_symbols & solver.known.measured:
+                        yield PutBack(line, "simulated")
+                    else:
+                        yield _one_put_back(one, other, law, solver, line)
+
+
+def _one_put_back(one: sympy.Expr, other: sympy.Expr, law: Law, solver: Solver, line: int) -> PutBack:
+    found = _equality(one, other, law, solver.known)
+    if found.holds:
+        return PutBack(line, found.how)
+    said = f"{law.name} does not hold for the answers: {one} = {other}"
+    if found.how == "undecided":
+        said = f"{law.name}: whether {one} = {other} holds for the answers was not decided, neither by algebra nor at numbers"
+    elif found.at:
+        said += f"; {found.shown()}"
+    return PutBack(line, found.how, str(solver.failing(said, line)), found.at)
 
 
 def _unconfirmed(known: Known, entry: Confirm) -> Iterator[str]:
     """What is wrong with each law that must hold for the answers and does not."""
     for law in entry.laws:
         try:
-            residuals = [known.with_asides(one - other) for one, other in sides(law)]
             letters = letters_in([law], known)
             strange = {
                 each for each in symbols(law) if each not in known.letters | letters | known.aside.keys()
             }
             if strange:
                 yield f"{law.name}: {', '.join(sorted(map(str, strange)))} is neither given nor found before"
-            elif not all(_vanishes(residual, law, known) for residual in residuals):
-                yield f"{law.name} does not hold for the answers: a sign or a term is wrong, here or in a law of a step"
+                continue
+            found = [_equality(one, other, law, known) for one, other in sides(law)]
+            if broken := next((each for each in found if each.how == "differ"), None):
+                numbers = f" ({broken.shown()})" if broken.at else ""
+                yield f"{law.name} does not hold for the answers: a sign or a term is wrong, here or in a law of a step{numbers}"
+            elif not all(each.holds for each in found):
+                yield f"{law.name}: whether it holds for the answers was not decided, neither by algebra nor at numbers"
         except ValueError as error:
             yield f"{law.name}: {error}"
 
@@ -73,8 +101,10 @@ def _unmet(claim: Asserted, known: Known) -> Iterator[str]:
     return _unconfirmed(known, claim) if isinstance(claim, Confirm) else unfulfilled(claim, known)
 
 
-def _vanishes(residual: sympy.Expr, law: Law, known: Known) -> bool:
-    """By algebra; where functions stood in the law, else at the sample points."""
+def _equality(one: sympy.Expr, other: sympy.Expr, law: Law, known: Known) -> Equality:
+    """By algebra or at the sample points; where functions stood in the law, at these alone."""
     if is_differential(sides(law)):
-        return holds(put_back(residual, ()), known, letters_in([law], known))
-    return vanishes(residual)
+        residual = known.with_asides(one - other)
+        same = holds(put_back(residual, ()), known, letters_in([law], known))
+        return Equality("points", len(known.points)) if same else Equality("differ")
+    return compared(one, other, known)

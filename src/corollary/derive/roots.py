@@ -19,6 +19,8 @@ from corollary.formula.latex import latex
 from corollary.laws.law import Law, substitute, symbols
 from corollary.messages import N_
 
+SAME = sympy.Float("1e-25")  # relative: two values of 30 digits are the same
+
 
 class NoRoot(ValueError):
     """The laws do not fix the unknowns; one sentence says how, and `line` is that of the mistake or route at fault (or 0)."""
@@ -108,7 +110,7 @@ def pick(
     refused: list[Sentence] = []
     why: list[str] = []  # the same, in the letters that the author types
     for root in found:
-        reason = next((entry.reason for entry in rejected if _is(root, entry.root)), None)
+        reason = next((entry.reason for entry in rejected if _is(root, entry.root, points)), None)
         if reason is not None:
             refused.append(Sentence(reason))
             why.append(f"{_equations(root)} is rejected")
@@ -123,7 +125,7 @@ def pick(
         else:
             left.append(root)
     for entry in rejected:
-        if not any(_is(root, entry.root) for root in found):
+        if not any(_is(root, entry.root, points) for root in found):
             raise NoRoot(f"the root to reject ({entry.reason}) is no root of the laws")
     fitting = []
     for root in left:
@@ -149,10 +151,23 @@ def pick(
     return Picked(fitting[0], tuple(refused), tuple(worded), tuple(others))
 
 
-def _is(root: Root, other: Root) -> bool:
+def _is(root: Root, other: Root, points: Sequence[Point]) -> bool:
+    """Whether a root is the one named, by algebra or at all points: simplification does not see every identity."""
     return all(
-        symbol in root and sympy.simplify(root[symbol] - value) == 0 for symbol, value in other.items()
+        symbol in root
+        and (
+            sympy.simplify(root[symbol] - value) == 0
+            or all(_near(root[symbol], value, at_) for at_ in points)
+        )
+        for symbol, value in other.items()
     )
+
+
+def _near(one: sympy.Expr, other: sympy.Expr, point: Point) -> bool:
+    values = at(one, point), at(other, point)
+    if not all(each.is_number and each.is_finite for each in values):
+        return False
+    return bool(abs(values[0] - values[1]) <= SAME * abs(values[0]))
 
 
 def _real(root: Root, point: Point) -> bool:

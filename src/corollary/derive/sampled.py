@@ -1,21 +1,107 @@
-"""Whether an equation holds, where algebra does not see it: its terms at sample points, each certified to 30 digits."""
+"""Equality of two formulas: by algebra, or at sample points in ball arithmetic."""
 
 # pyright: reportMissingTypeArgument=false, reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownMemberType=false, reportUnknownParameterType=false, reportUnknownVariableType=false, reportArgumentType=false, reportAttributeAccessIssue=false, reportAssignmentType=false, reportReturnType=false, reportGeneralTypeIssues=false, reportIndexIssue=false, reportCallIssue=false, reportOperatorIssue=false
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
 from itertools import chain
+from typing import Any, Literal
 
 import sympy
 
 from corollary.derive.known import Known, Point, at, vanishes
+from corollary.formula.ast import Expr
+from corollary.formula.ball import Ball, Undefined, evaluate, precision_of
+from corollary.formula.from_sympy import NoTree, tree
 
 RESIDUAL = sympy.Float("1e-20")  # of the terms of an equation, each known to 30 digits
 FREE = (sympy.Rational(3, 7), sympy.Rational(8, 5), sympy.Rational(11, 13), sympy.Rational(17, 9))
 """Numbers for letters that have none yet."""
 SHARES = (sympy.Rational(1, 3), sympy.Integer(1))
 SHORT = 40  # operations: what sympy simplifies quickly
+PRECISIONS = (128, 1024)  # bits: nearly all that differs does so at the first
+ALIKE = 256  # bits to which two sides agree that the last precision does not tell apart
+SHOWN = 6  # figures of a side that differs; more where these are the same
+NO_NUMBERS: Mapping[str, str] = {}
+
+How = Literal["algebra", "points", "differ", "undecided"]
+
+
+@dataclass(frozen=True, slots=True)
+class Equality:
+    """How two formulas compare: the same by algebra, the same at `count` points, different at the numbers `at`, or not decided.
+
+    `sides` are their values there, in SI.
+    """
+
+    how: How
+    count: int = 0
+    at: Mapping[str, str] = field(default_factory=lambda: NO_NUMBERS)
+    sides: tuple[str, str] = ("", "")
+
+    @property
+    def holds(self) -> bool:
+        """Whether they are the same, as far as was seen."""
+        return self.how in ("algebra", "points")
+
+    def shown(self, left: str = "the left side", right: str = "the right side") -> str:
+        """The numbers at which they differ, and both values."""
+        numbers = ", ".join(f"{name} = {value}" for name, value in self.at.items())
+        return (
+            f"{f'at {numbers} ' if numbers else ''}{left} is {self.sides[0]} and {right} {self.sides[1]} (SI)"
+        )
+
+
+def compared(one: object, other: object, known: Known) -> Equality:
+    """Two formulas in givens (and what was found), with all that was found put in.
+
+    Numbers come first: what differs at one point needs no algebra, and algebra is believed only where no point contradicts it.
+    """
+    left, right = (known.with_asides(sympy.sympify(each)) for each in (one, other))
+    if left == right:
+        return Equality("algebra")
+    count = 0
+    try:
+        trees = tuple(tuple(map(tree, sympy.Add.make_args(side))) for side in (left, right))
+    except NoTree:
+        trees = ()
+    for point in known.points if trees else ():
+        found = _at_point(trees, point)
+        if isinstance(found, tuple):
+            return Equality("differ", 1, point.written, found)
+        count += found
+    if vanishes(left - right):
+        return Equality("algebra")
+    return Equality("points", count) if count else Equality("undecided")
+
+
+def _at_point(trees: tuple[tuple[Expr, ...], ...], point: Point) -> bool | tuple[str, str]:
+    """Whether the two sums of terms are the same at a point; False where this is not to be seen, both values where they differ."""
+    for bits in PRECISIONS:
+        try:
+            terms = [[evaluate(each, point.balls, bits) for each in side] for side in trees]
+        except (Undefined, KeyError):
+            return False
+        with precision_of(bits):
+            left, right = (sum(side, Ball(0)) for side in terms)
+            size = sum((abs(each) for side in terms for each in side), Ball(0))
+            if not left.is_finite() or not right.is_finite():
+                continue
+            if not (left - right).contains(0):
+                return _told_apart(left, right)
+            if bits == PRECISIONS[-1]:
+                return bool((left - right).rad() <= size.upper() * Ball(2) ** -ALIKE)
+    return False
+
+
+def _told_apart(left: Any, right: Any) -> tuple[str, str]:
+    """Both values with as many figures as it takes to tell them apart."""
+    figures = SHOWN
+    while (texts := (left.str(figures, radius=False), right.str(figures, radius=False)))[0] == texts[1]:
+        figures += 1
+    return texts
 
 
 def holds(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from corollary.derive.put_back import PutBack
 from corollary.verify.mutation.record import MutationScore
 from corollary.verify.obligations.obligation import Settled
 
@@ -19,6 +20,7 @@ class Tally:
     notes: list[str] = field(default_factory=list[str])
     obligations: list[Settled] = field(default_factory=list[Settled])
     mutation: MutationScore | None = None
+    put_back: list[PutBack] = field(default_factory=list[PutBack])
 
     def count(self, what: str, number: int = 1) -> None:
         self.counts[what] = self.counts.get(what, 0) + number

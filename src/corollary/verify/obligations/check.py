@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from corollary.derive.put_back import PutBack
 from corollary.derive.solution import Solution
 from corollary.problem.bank import Bank
 from corollary.verify.checked import Tally
@@ -10,17 +13,26 @@ from corollary.verify.obligations.settle import settled
 
 
 def check_obligations(bank: Bank, solution: Solution, tally: Tally, variants: int) -> None:
-    """Comes after the laws were put back, whose complaints it counts; `variants` are walked besides."""
+    """Comes after the laws were put back; `variants` are walked besides."""
     file = bank.solution(solution.problem).name
-    left = tuple(tally.complaints)
-    for each in settled(solution, variants):
-        if each.kind == "laws hold" and any(one.startswith(f"{file}:{each.line}:") for one in left):
-            tally.obligations.append(Settled(each.kind, each.claim, each.line, "counter-example", "algebra"))
-            continue
+    for found in settled(solution, variants):
+        each = _as_put_back(found, tally.put_back) if found.kind == "laws hold" else found
         tally.obligations.append(each)
-        if each.outcome == "counter-example" and each.kind != "mistakes differ":  # which is a note already
+        if each.outcome == "counter-example" and each is found and each.kind != "mistakes differ":  # which is a note already
             tally.complain(f"{file}:{each.line}: {sentence(each)}")
     tally.count("obligations", len(tally.obligations))
+
+
+def _as_put_back(each: Settled, put_back: Sequence[PutBack]) -> Settled:
+    """How the laws of a step held when all that was found was put in; what does not is complained of already."""
+    here = [one for one in put_back if one.line == each.line]
+    broken = next((one for one in here if one.how == "differ"), None)
+    if broken is not None:
+        return Settled(each.kind, each.claim, each.line, "counter-example", "a point", broken.at)
+    if each.outcome == "proven" and any(one.how in ("points", "undecided") for one in here):
+        by = "no algebra decides it, it holds at points" if all(one.how != "undecided" for one in here) else "nothing decides it"
+        return Settled(each.kind, each.claim, each.line, "sampled", by)
+    return each
 
 
 def sentence(each: Settled) -> str:
