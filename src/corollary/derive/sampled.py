@@ -79,6 +79,7 @@ def compared(one: object, other: object, known: Known) -> Equality:
 
 def _at_point(trees: tuple[tuple[Expr, ...], ...], point: Point) -> bool | tuple[str, str]:
     """Whether the two sums of terms are the same at a point; False where this is not to be seen, both values where they differ."""
+    size: Any = None
     for bits in PRECISIONS:
         try:
             terms = [[evaluate(each, point.balls, bits) for each in side] for side in trees]
@@ -86,13 +87,15 @@ def _at_point(trees: tuple[tuple[Expr, ...], ...], point: Point) -> bool | tuple
             return False
         with precision_of(bits):
             left, right = (sum(side, Ball(0)) for side in terms)
-            size = sum((abs(each) for side in terms for each in side), Ball(0))
+            # at the first precision, at which a term that is zero has still a width
+            if size is None:
+                size = sum((abs(each) for side in terms for each in side), Ball(0)).upper()
             if not left.is_finite() or not right.is_finite():
                 continue
             if not (left - right).contains(0):
                 return _told_apart(left, right)
             if bits == PRECISIONS[-1]:
-                return bool((left - right).rad() <= size.upper() * Ball(2) ** -ALIKE)
+                return bool((left - right).rad() <= size * Ball(2) ** -ALIKE)
     return False
 
 
