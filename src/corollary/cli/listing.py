@@ -13,9 +13,9 @@ from typing import Any
 
 from corollary import plug_ins, user_cache
 from corollary.cli.console import console
-from corollary.cli.ending import HOLDS, answer, counted, refuse
+from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse
 from corollary.messages import did_you_mean
-from corollary.problem.bank import Bank, chapter_bank, chapter_order, files, load, open_bank
+from corollary.problem.bank import Bank, chapter_bank, chapter_order, files, open_bank, readable
 from corollary.version import __version__
 
 HEADINGS = ("code", "title", "topic", "givens", "parts", "answers", "variants")
@@ -38,7 +38,7 @@ def run(
     person: bool,
     sort: str | None,
 ) -> int:
-    found = listed(open_bank(bank))
+    found, broken = listed(open_bank(bank))
     _known("--topic", topic, {record["topic"] for record, _ in found})
     _known("--type", kind, {name for record, _ in found for name in _kinds(record)})
     found = [
@@ -52,7 +52,7 @@ def run(
         found.sort(key=lambda each: _SORT[sort](each[0]))
     if as_json:
         answer([record for record, _ in found])
-        return HOLDS
+        return _told(broken)
     from rich.markup import escape
     from rich.table import Table
 
@@ -68,7 +68,14 @@ def run(
     for _, row in found:
         table.add_row(*map(escape, row))
     console().print(table)
-    return HOLDS
+    return _told(broken)
+
+
+def _told(broken: list[str]) -> int:
+    """What is wrong with files that cannot be listed, on standard error, and the exit status."""
+    if broken:
+        print("", *broken, sep="\n", file=sys.stderr)
+    return FAILS if broken else HOLDS
 
 
 def _known(option: str, named: list[str], have: set[str]) -> None:
@@ -84,20 +91,22 @@ def _kinds(record: dict[str, Any]) -> set[str]:
     return {name for part in record["parts"].values() for name in part["kind"].split("+")}
 
 
-def listed(bank: Bank) -> list[tuple[dict[str, Any], list[str]]]:
-    """Every problem, as a record and as a row of the table. Raises Malformed.
+def listed(bank: Bank) -> tuple[list[tuple[dict[str, Any], list[str]]], list[str]]:
+    """Every problem that can be read, as a record and as a row of the table, and what is wrong with the others.
 
     Counting the variants takes most of a second; so it is done once for the same files and programs.
     """
     origin = _origin(bank)
     name = f"list-{hashlib.sha256(bank.place.encode()).hexdigest()[:16]}"
     if (text := user_cache.read(name, origin)) is not None:
-        return json.loads(text)
+        return json.loads(text), []
     from corollary.cli.listed import listed as made  # with formulas, units and numpy
 
-    found = made(load(bank))
-    user_cache.write(name, origin, json.dumps(found).encode())
-    return found
+    problems, broken = readable(bank)
+    found = made(sorted(problems, key=lambda problem: chapter_order(problem.code)))
+    if not broken:
+        user_cache.write(name, origin, json.dumps(found).encode())
+    return found, list(map(str, broken))
 
 
 def _origin(bank: Bank) -> str:

@@ -14,13 +14,12 @@ from typing import Any
 from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse
 from corollary.cli.progress import bar
-from corollary.problem.bank import Bank, bank_of, doubles, files, home, home_of_file, open_bank
+from corollary.problem.bank import Bank, bank_of, home, home_of_file, open_bank, readable
 from corollary.problem.count import written
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.front_matter import split
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import bank_of_set, find_set, set_names
-from corollary.problem.reader import read_problem
 from corollary.verify.checked import Checked
 from corollary.verify.cluster import on_cluster
 from corollary.verify.mutation.record import MutationScore
@@ -119,13 +118,9 @@ def _problems(
     """The problems asked for, all without a code, each with its bank; and what is wrong with files that cannot be read."""
     if codes or only_these:
         return [home(bank, code) for code in codes], []
-    place, todo, broken = open_bank(bank), list[tuple[Bank, Problem]](), list[str]()
-    for path in files(place):
-        try:
-            todo.append((place, read_problem(path)))
-        except Malformed as error:
-            broken += map(str, error.complaints)
-    return todo, [*broken, *map(str, doubles([problem for _, problem in todo]))]
+    place = open_bank(bank)
+    problems, broken = readable(place)
+    return [(place, problem) for problem in problems], list(map(str, broken))
 
 
 def _record(checked: Checked) -> dict[str, Any]:

@@ -20,9 +20,13 @@ from corollary.derive.comparison import NAMES, compiled
 from corollary.derive.derivation import Derivation
 from corollary.derive.signs import symbol_of
 from corollary.derive.statements import SOLUTION
+from corollary.derive.time_limit import TooLong, time_limit
 from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.problem import Problem
 
+AUTHOR_S = (
+    30.0  # seconds for a solution's own code to state what it derives, which takes it some milliseconds
+)
 OF_NUMBERS = ("Cannot convert expression to float", "Cannot convert symbols to", "has no callable")
 """What Python says where a function of numbers is given a formula."""
 
@@ -63,7 +67,7 @@ def load(bank: Bank, problem: Problem) -> Loaded:
         raise NotDerivable(
             path, 0, f"is missing; {problem.path.name} needs a solution there, with a function derive(…)"
         )
-    with importable(path):
+    with importable(path), time_limit(AUTHOR_S):
         return _loaded(problem, path)
 
 
@@ -86,7 +90,9 @@ def _loaded(problem: Problem, path: Path) -> Loaded:
     try:
         with own_letters(symbols, numbered=problem.path.is_relative_to(chapter_bank().problems)) as meanings:
             derivation = derive(**{name: symbols[name] for name in wanted})
-    except (Exception, SystemExit) as error:
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # whatever an author's own code raises
         raise NotDerivable(
             path,
             line_in(error, path) or line,
@@ -128,7 +134,9 @@ def _module(path: Path) -> ModuleType:
         exec(compiled(path.read_bytes(), str(path)), vars(module))
     except SyntaxError as error:
         raise NotDerivable(path, error.lineno or 1, f"is not Python: {error.msg}") from None
-    except (Exception, SystemExit) as error:
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # whatever an author's own code raises
         remedy = _remedy(error)
         raise NotDerivable(
             path, line_in(error, path), f"cannot be loaded: {type(error).__name__}: {error}{remedy}"
@@ -167,6 +175,8 @@ def _remedy(error: BaseException) -> str:
         )
     if isinstance(error, TypeError) and any(each in str(error) for each in OF_NUMBERS):
         return "; math and numpy know numbers only: take sqrt, sin, exp, pi and the like from sympy"
+    if isinstance(error, TooLong):
+        return "; mend the loop that does not end"
     if isinstance(error, ModuleNotFoundError):
         return "; put the module beside the solution, or install the package that has it"
     return ""

@@ -4,7 +4,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import sympy
 
@@ -63,7 +64,18 @@ def best(
     for point in points:
 
         def height(place: sympy.Expr, point: Point = point) -> sympy.Expr:
-            return at(substitute(free, {letter: place}), point)
+            there = substitute(free, {letter: place})
+            value = at(there, point)
+            if not value.is_real:
+                raise NoRoot(
+                    _unreal(
+                        f"what is to be {'largest' if largest else 'smallest'}, at {over} = {place},",
+                        free,
+                        point,
+                        {letter: place},
+                    )
+                )
+            return value
 
         inside = [place for place in slope if _between(place, between, point)]
         candidates = list(dict.fromkeys([*inside, low, high]))
@@ -81,4 +93,23 @@ def best(
 
 def _between(place: sympy.Expr, between: tuple[sympy.Expr, sympy.Expr], point: Point) -> bool:
     value, low, high = (at(x, point) for x in (place, *between))
-    return bool(value.is_real) and low <= value <= high
+    for end, formula in ((low, between[0]), (high, between[1])):
+        if not end.is_extended_real:
+            raise NoRoot(_unreal(f"the end {formula} of the range", formula, point, {}))
+    return bool(value.is_real) and bool(low <= value <= high)
+
+
+def _unreal(what: str, formula: sympy.Expr, point: Point, there: Mapping[sympy.Basic, sympy.Expr]) -> str:
+    """The sentence for a formula without a real value at a point: what stands under a root or in a logarithm there."""
+    numbers = ", ".join(f"{name} = {value}" for name, value in point.written.items())
+    for node in sympy.postorder_traversal(formula):
+        part: Any = node
+        root = isinstance(part, sympy.Pow) and not part.exp.is_integer
+        if root or isinstance(part, sympy.log):
+            inside = substitute(part.args[0], there)
+            value: Any = at(inside, point)
+            if value.is_real and (value < 0 or (value == 0 and not root)):
+                where = "under a root" if root else "in a logarithm"
+                found = sympy.N(value, 3)
+                return f"{what} has no real value for {numbers}: {inside} {where} is {found}; mend its sign, or narrow the range"
+    return f"{what} has no real value for {numbers}; mend it, or narrow the range"

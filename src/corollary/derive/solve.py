@@ -94,6 +94,8 @@ class Solver:
                     self.find(entry)
                 except ValueError as error:
                     raise self.at_fault(entry, error) from error
+                except Exception as error:  # as in solution
+                    raise self.at_fault(entry, unforeseen(error)) from error
         try:
             found.case, found.line = case.text, case.line
             found.conditions = relations(self.known.in_givens(sympy.sympify(case.condition)))
@@ -129,6 +131,10 @@ class Solver:
                         continue  # code, plot, explain, printed need no solving; what is neglected comes last
             except ValueError as error:  # NoRoot and NoTree among them
                 raise self.at_fault(entry, error) from error
+            except NotDerivable:
+                raise
+            except Exception as error:  # of sympy or of ours: it costs this problem, and no other
+                raise self.at_fault(entry, unforeseen(error)) from error
         for entry in entries:
             if isinstance(entry, Proof) and (sentence := strange_letter(entry, self.known.names)):
                 raise self.failing(f"part {entry.statement.part}: {sentence}", entry.statement.line)
@@ -286,6 +292,11 @@ class Solver:
         except ValueError as error:
             sentence = f"what part {entry.statement.part} neglects: {error}"
             raise self.failing(sentence, entry.statement.line) from error
+
+
+def unforeseen(error: Exception) -> ValueError:
+    """The sentence for a failing that nobody foresaw."""
+    return ValueError(f"it cannot be solved: {type(error).__name__}: {error}")
 
 
 def _names(unknowns: tuple[sympy.Symbol, ...]) -> tuple[str, ...]:

@@ -151,6 +151,14 @@ def _is_translation(path: Path) -> bool:
 
 def load(bank: Bank) -> list[Problem]:
     """Every problem, in the order of the chapter. Raises Malformed with the complaints of every file, or for one code used twice."""
+    problems, complaints = readable(bank)
+    if complaints:
+        raise Malformed(complaints)
+    return sorted(problems, key=lambda problem: chapter_order(problem.code))
+
+
+def readable(bank: Bank) -> tuple[list[Problem], list[Diagnostic]]:
+    """The problems that can be read, in the order of their files, and what is wrong with the others and with codes used twice."""
     problems: list[Problem] = []
     complaints: list[Diagnostic] = []
     for path in files(bank):
@@ -158,11 +166,7 @@ def load(bank: Bank) -> list[Problem]:
             problems.append(_read(path))
         except Malformed as error:
             complaints += error.complaints
-    if complaints:
-        raise Malformed(complaints)
-    if complaints := doubles(problems):
-        raise Malformed(complaints)
-    return sorted(problems, key=lambda problem: chapter_order(problem.code))
+    return problems, [*complaints, *doubles(problems)]
 
 
 def _read(path: Path) -> Problem:

@@ -41,7 +41,11 @@ def packed(path: Path, text: str, line: int, complaints: list[Diagnostic]) -> st
 
 def pictures_of(path: Path) -> list[Path]:
     """The files that the text of a problem, a translation or a set shows, as far as they are there."""
-    targets = (found["target"] for found in _found(path.read_text(encoding="utf-8", errors="replace")))
+    try:
+        text = path.read_text(encoding="utf-8", errors="replace")
+    except OSError:  # who reads it complains
+        return []
+    targets = (found["target"] for found in _found(text))
     files = (path.parent / each for each in targets if each and FILE.fullmatch(each))
     return [each for each in dict.fromkeys(files) if each.is_file()]
 

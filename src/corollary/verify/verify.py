@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from corollary.derive.load import NotDerivable
+from corollary.derive.load import NotDerivable, line_in
 from corollary.derive.solve import solve
 from corollary.figure.svg import NotADrawing, safe_svg
 from corollary.formula.ball import Undefined
@@ -45,6 +45,11 @@ def verify(bank: Bank, problem: Problem, count: int = LEAST, runner: Runner | No
     for _ in whole.stages():
         pass
     return whole.checked()
+
+
+def not_verified(problem: Problem, complaint: str) -> Checked:
+    """What is said of a problem of which nothing could be checked."""
+    return Checked(problem.code, *variants(problem), 0.0, (), {}, (complaint,))
 
 
 class Verification:
@@ -100,6 +105,12 @@ class Verification:
         except Undefined as error:
             line = problem.givens[0].line if problem.givens else 1
             tally.complain(f"{problem.path.name}:{line}: the chapter's own numbers have no answer: {error}")
+        except (
+            Exception
+        ) as error:  # of a library, an author's judge or scene, or ours: it costs this problem, and no other
+            path = bank.solution(problem)
+            where = f"{path.name}:{line_in(error, path) or 1}"
+            tally.complain(f"{where}: it cannot be verified: {type(error).__name__}: {error}")
 
     def checked(self) -> Checked:
         """What was found by the stages that are done."""

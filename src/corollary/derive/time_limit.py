@@ -1,0 +1,34 @@
+"""A time limit for an author's own code."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Generator
+from contextlib import contextmanager
+from types import FrameType
+
+AGAIN = 1.0  # seconds: code that catches the first interruption is interrupted once more
+
+
+class TooLong(Exception):
+    """The code ran longer than it may."""
+
+
+@contextmanager
+def time_limit(seconds: float) -> Generator[None]:
+    """Raises TooLong in what runs inside. Only the main thread of a process on Unix can be interrupted so; elsewhere nothing limits it."""
+    if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def interrupt(_signal: int, _frame: FrameType | None) -> None:
+        raise TooLong(f"it ran longer than {seconds:g} s")
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, seconds, AGAIN)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
