@@ -7,8 +7,8 @@ from fractions import Fraction
 import pytest
 from tests.derive.conftest import problem_of
 
-from corollary.derive.solve import solve
 from corollary.derive.put_back import put_laws_back
+from corollary.derive.solve import solve
 from corollary.formula.ball import RationalPi, certified
 from corollary.grading.key import make_key
 from corollary.problem.variant import chapter

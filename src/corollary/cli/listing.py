@@ -52,7 +52,7 @@ def run(
         found.sort(key=lambda each: _SORT[sort](each[0]))
     if as_json:
         answer([record for record, _ in found])
-        return _told(broken)
+        return _status(broken)
     from rich.markup import escape
     from rich.table import Table
 
@@ -68,10 +68,10 @@ def run(
     for _, row in found:
         table.add_row(*map(escape, row))
     console().print(table)
-    return _told(broken)
+    return _status(broken)
 
 
-def _told(broken: list[str]) -> int:
+def _status(broken: list[str]) -> int:
     """What is wrong with files that cannot be listed, on standard error, and the exit status."""
     if broken:
         print("", *broken, sep="\n", file=sys.stderr)

@@ -87,7 +87,7 @@ def _different(about: str, found: Any, wanted: Any, claimed: object, known: Know
         Equality("differ") if False in (found.is_finite, wanted.is_finite) else compared(found, wanted, known)
     )
     if same.how == "differ":
-        numbers = f" ({same.shown('it', 'the claim')})" if same.at else ""
+        numbers = f" ({same.at_numbers('it', 'the claim')})" if same.at else ""
         yield f"{about} is {found}, not {claimed}{numbers}"
     elif not same.holds:
         yield f"{about} is {found}; whether that is {claimed} was not decided, neither by algebra nor at numbers"

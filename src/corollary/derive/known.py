@@ -47,11 +47,11 @@ class Point:
 
 def point(variant: Variant, symbols: list[sympy.Symbol]) -> Point:
     """The point of a variant."""
-    shown = {
+    labels = {
         given.symbol: written(variant, given.symbol) for given in variant.problem.givens if not given.source
     }
     givens = variant.exact
-    return Point({symbol: in_sympy(givens[symbol.name]) for symbol in symbols}, dict(givens), shown)
+    return Point({symbol: in_sympy(givens[symbol.name]) for symbol in symbols}, dict(givens), labels)
 
 
 def in_sympy(value: RationalPi) -> sympy.Expr:

@@ -67,12 +67,12 @@ def _one_put_back(one: sympy.Expr, other: sympy.Expr, law: Law, solver: Solver, 
     found = _equality(one, other, law, solver.known)
     if found.holds:
         return PutBack(line, found.how)
-    said = f"{law.name} does not hold for the answers: {one} = {other}"
+    fault = f"{law.name} does not hold for the answers: {one} = {other}"
     if found.how == "undecided":
-        said = f"{law.name}: whether {one} = {other} holds for the answers was not decided, neither by algebra nor at numbers"
+        fault = f"{law.name}: whether {one} = {other} holds for the answers was not decided, neither by algebra nor at numbers"
     elif found.at:
-        said += f"; {found.shown()}"
-    return PutBack(line, found.how, str(solver.failing(said, line)), found.at)
+        fault += f"; {found.at_numbers()}"
+    return PutBack(line, found.how, str(solver.failing(fault, line)), found.at)
 
 
 def _unconfirmed(known: Known, entry: Confirm) -> Iterator[str]:
@@ -88,7 +88,7 @@ def _unconfirmed(known: Known, entry: Confirm) -> Iterator[str]:
                 continue
             found = [_equality(one, other, law, known) for one, other in sides(law)]
             if broken := next((each for each in found if each.how == "differ"), None):
-                numbers = f" ({broken.shown()})" if broken.at else ""
+                numbers = f" ({broken.at_numbers()})" if broken.at else ""
                 yield f"{law.name} does not hold for the answers: a sign or a term is wrong, here or in a law of a step{numbers}"
             elif not all(each.holds for each in found):
                 yield f"{law.name}: whether it holds for the answers was not decided, neither by algebra nor at numbers"

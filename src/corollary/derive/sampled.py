@@ -46,7 +46,7 @@ class Equality:
         """Whether they are the same, as far as was seen."""
         return self.how in ("algebra", "points")
 
-    def shown(self, left: str = "the left side", right: str = "the right side") -> str:
+    def at_numbers(self, left: str = "the left side", right: str = "the right side") -> str:
         """The numbers at which they differ, and both values."""
         numbers = ", ".join(f"{name} = {value}" for name, value in self.at.items())
         return (
@@ -93,13 +93,13 @@ def _at_point(trees: tuple[tuple[Expr, ...], ...], point: Point) -> bool | tuple
             if not left.is_finite() or not right.is_finite():
                 continue
             if not (left - right).contains(0):
-                return _told_apart(left, right)
+                return _both_values(left, right)
             if bits == PRECISIONS[-1]:
                 return bool((left - right).rad() <= size * Ball(2) ** -ALIKE)
     return False
 
 
-def _told_apart(left: Any, right: Any) -> tuple[str, str]:
+def _both_values(left: Any, right: Any) -> tuple[str, str]:
     """Both values with as many figures as it takes to tell them apart."""
     figures = SHOWN
     while (texts := (left.str(figures, radius=False), right.str(figures, radius=False)))[0] == texts[1]:

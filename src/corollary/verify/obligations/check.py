@@ -18,7 +18,9 @@ def check_obligations(bank: Bank, solution: Solution, tally: Tally, variants: in
     for found in settled(solution, variants):
         each = _as_put_back(found, tally.put_back) if found.kind == "laws hold" else found
         tally.obligations.append(each)
-        if each.outcome == "counter-example" and each is found and each.kind != "mistakes differ":  # which is a note already
+        if (
+            each.outcome == "counter-example" and each is found and each.kind != "mistakes differ"
+        ):  # which is a note already
             tally.complain(f"{file}:{each.line}: {sentence(each)}")
     tally.count("obligations", len(tally.obligations))
 
@@ -30,7 +32,11 @@ def _as_put_back(each: Settled, put_back: Sequence[PutBack]) -> Settled:
     if broken is not None:
         return Settled(each.kind, each.claim, each.line, "counter-example", "a point", broken.at)
     if each.outcome == "proven" and any(one.how in ("points", "undecided") for one in here):
-        by = "no algebra decides it, it holds at points" if all(one.how != "undecided" for one in here) else "nothing decides it"
+        by = (
+            "no algebra decides it, it holds at points"
+            if all(one.how != "undecided" for one in here)
+            else "nothing decides it"
+        )
         return Settled(each.kind, each.claim, each.line, "sampled", by)
     return each
 
