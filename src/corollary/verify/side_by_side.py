@@ -52,7 +52,7 @@ def _in_order(begun: Sequence[Future[Checked]], todo: Todo, count: int) -> Itera
 
 def _alone(place: int, todo: Todo, count: int) -> Checked:
     """A problem in a process of its own, which may end with it."""
-    with Processes(1, _begin, todo, count) as process:
+    with Workers(1, _begin, todo, count) as process:
         try:
             return process.submit(_there, place).result()
         except ProcessDied:
