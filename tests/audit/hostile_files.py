@@ -93,6 +93,7 @@ def _texts(size: int) -> Iterator[tuple[str, str]]:
         + "</setCorrectResponse></templateProcessing></assessmentItem>",
     )
     yield "aliases.yaml", "".join(f"a{i}: &a{i} [{f'*a{i - 1}, ' * 9 if i else 'ha'}]\n" for i in range(12))
+    yield "many_aliases.yaml", "- &a {id: a}\n- [" + "*a, " * (size // 4) + "]\n"
     yield "alias_to_itself.yaml", "&a [*a]\n"
     yield "merge.yaml", "- &a {<<: *a, id: 1}\n"
     yield "python.yaml", '- !!python/object/apply:os.system ["touch /tmp/hostile"]\n'

@@ -38,6 +38,7 @@ class ListNode:
 
 Node = TextNode | TableNode | ListNode
 DEEPEST = 50
+MOST_ALIASES = 1000  # each is taken out of its line, which may be the whole file
 LONG = 100_000  # characters, which take PyYAML itself, without libyaml, seconds
 
 
@@ -111,6 +112,10 @@ def document(path: Path, source: str, faults: list[Diagnostic] | None = None) ->
             line = int(error.problem_mark.line) + 1
             raise Malformed([Diagnostic(path, line, f"the file is not YAML: {error.problem}")]) from None
         return _document(path, source, "the file", first=1)  # which says what is wrong in PyYAML's own words
+    if len(aliases) > MOST_ALIASES:
+        raise Malformed(
+            [Diagnostic(path, 1, f"refers to other places (*name) more than {MOST_ALIASES} times")]
+        )
     found, source = _without_aliases(path, source, aliases)
     if found and faults is None:
         raise Malformed(found)
