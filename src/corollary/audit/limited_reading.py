@@ -62,6 +62,7 @@ class LimitedReader:
 
     def read(self, path: Path) -> BankReading:
         """Raises WeakIsolation and CannotStart where programs cannot be run well enough here."""
+        path = path.absolute()  # the interpreter that reads it is elsewhere
         laws = laws_of(path, self._laws)
         found = self._within_limits(partial(_records_or_trouble, path, laws), path)
         if isinstance(found, str):
