@@ -214,3 +214,11 @@ def test_all_roots_are_found_in_numbers(laws, unknowns, letters, near, roots):
         return
     assert found is not None
     assert sorted(found) == [pytest.approx(each, rel=1e-9) for each in roots]
+
+
+def test_what_holds_derivatives_is_undecided_and_stops_nothing(checked):
+    """A balance with an integral cannot be held against numbers; laws beside it still are."""
+    balance = 'confirm("Work.", law("Work", "m*v = int(F - f, x, 0, t)")),'
+    found = checked(claims=balance)
+    assert found.complaints == ()
+    assert found.mutation.bends > 0

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from corollary.formula.arithmetics import DOUBLES, Evaluation, ready
+from corollary.formula.arithmetics import DOUBLES, Evaluation, NotAvailable, ready
 from corollary.formula.ast import Call, Relation, names, walk
+from corollary.formula.operators import has_operators
 
 FAILURES = (ValueError, ZeroDivisionError, OverflowError, TypeError, KeyError)
 """What an evaluation in doubles raises where there is no value."""
@@ -29,6 +30,8 @@ class NumericEquations:
 
     def __init__(self, relations: Sequence[Relation], unknowns: Sequence[str]):
         """Raises NotAvailable where a law holds derivatives or the like."""
+        if any(has_operators(each) for each in relations):
+            raise NotAvailable("derivatives and integrals are not solved in numbers")
         self.unknowns = tuple(unknowns)
         self.letters = frozenset[str]().union(*map(names, relations)) - {"pi"}
         self.sides: list[tuple[Evaluation, Evaluation]] = [
