@@ -48,7 +48,7 @@ class LimitedReader:
     def __enter__(self) -> Self:
         """Raises Malformed where the file of laws cannot be read."""
         if self._laws_file is not None:
-            laws = self._laws_file
+            laws = self._laws_file.absolute()
             found = self._within_limits(partial(_laws_or_trouble, laws), laws)
             if isinstance(found, str):
                 raise Malformed([Diagnostic(laws, 1, found.removeprefix(f"{laws.name}:1: "))])
