@@ -21,6 +21,7 @@ Values = tuple[float, ...]
 LINEAR = 1e-9  # relative: what is further off a straight line is none
 SAME = 1e-7  # relative: roots so near are one
 SMALL = 1e-8  # of the terms of an equation: so small a residual is rounding
+ROUNDED = 1e-12  # of the true root: so small a root is nothing, and no positive one
 STEPS, DECADES = 24, 4  # points a decade, and decades to each side of the true root, where roots are sought
 TURN = 180  # points of a full turn, where an angle is sought
 
@@ -212,6 +213,7 @@ def _of_one(
     found: list[Values] = []
 
     def add(at: float) -> None:
+        at = 0.0 if abs(at) <= ROUNDED * scale else at
         letters[equations.unknowns[0]] = at
         if all(abs(at - other) > SAME * max(abs(at), abs(other)) for (other,) in found) and equations.hold(
             letters

@@ -93,6 +93,8 @@ def fulfilled(condition: tuple[str, Evaluation, Evaluation], letters: Mapping[st
         one, other = left(letters), right(letters)
     except FAILURES:
         return None
+    if one == other:
+        return sign in ("<=", ">=", "=")
     if abs(one - other) <= 1e-12 * max(abs(one), abs(other)):  # rounding decides
         return None if sign in ("<", ">", "!=") else True
     match sign:
