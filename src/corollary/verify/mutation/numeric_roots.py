@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from corollary.formula.arithmetics import DOUBLES, Evaluation, NotAvailable, ready
-from corollary.formula.ast import Call, Relation, names, walk
+from corollary.formula.ast import Call, Expr, Relation, Sum, names, walk
 from corollary.formula.operators import has_operators
 
 FAILURES = (ValueError, ZeroDivisionError, OverflowError, TypeError, KeyError)
@@ -38,6 +38,11 @@ class NumericEquations:
         self.sides: list[tuple[Evaluation, Evaluation]] = [
             (ready(each.left, DOUBLES), ready(each.right, DOUBLES)) for each in relations
         ]
+        # what a residual is nothing beside: where one side is 0, the other's terms cancel
+        self.terms = [
+            [ready(term, DOUBLES) for side in (each.left, each.right) for term in _terms(side)]
+            for each in relations
+        ]
         self.angular = any(_in_a_sine(each, self.unknowns) for each in relations)
 
     def residuals(self, letters: Mapping[str, float]) -> list[float]:
@@ -47,9 +52,10 @@ class NumericEquations:
     def hold(self, letters: Mapping[str, float], within: float = SMALL) -> bool:
         """Whether the sides agree; False where one has no value."""
         try:
-            for left, right in self.sides:
+            for (left, right), terms in zip(self.sides, self.terms, strict=True):
                 one, other = left(letters), right(letters)
-                if not math.isfinite(one - other) or abs(one - other) > within * max(abs(one), abs(other)):
+                size = max(abs(term(letters)) for term in terms)
+                if not math.isfinite(one - other) or abs(one - other) > within * size:
                     return False
         except FAILURES:
             return False
@@ -58,6 +64,10 @@ class NumericEquations:
     def roots(self, letters: Mapping[str, float], near: Values) -> list[Values] | None:
         """The roots for these values of the other letters, sought around the true one; None where one stays free."""
         return _roots(self, dict(letters), near)
+
+
+def _terms(side: Expr) -> tuple[Expr, ...]:
+    return side.terms if isinstance(side, Sum) else (side,)
 
 
 def _in_a_sine(relation: Relation, unknowns: Sequence[str]) -> bool:
