@@ -14,7 +14,7 @@ import pytest
 from click.testing import CliRunner
 
 from corollary.cli.commands import app
-from corollary.cli.open_sets import with_sets
+from corollary.cli.open_sets import course_in, not_to_be_practised, with_sets
 from corollary.cli.practise import answered
 from corollary.practice.practice import practice
 from corollary.problem.bank import chapter_bank
@@ -126,6 +126,26 @@ def test_a_set_that_is_not_due_is_left_out(tmp_path):
     assert done.exit_code == 2
     assert "left out, since not due yet: the problems of exam (due " in done.stderr
     assert "no problem is left to practise on; name other problems" in done.stderr
+
+
+@pytest.mark.parametrize("wanted", ["momentum_1", "X12.5"])
+def test_the_sample_set_can_be_practised_on_whatever_its_date(wanted):
+    """It comes with the installation, and is nobody's homework until a course has generated it."""
+    bank = chapter_bank()
+    assert not not_to_be_practised(bank, ())
+    assert "X12.5" in [each.code for each in practice(bank, with_sets(bank, [wanted])).problems]
+
+
+def test_the_sample_set_is_left_out_where_a_course_has_generated_it(tmp_path: Path, monkeypatch):
+    monkeypatch.delenv("COROLLARY_COURSE", raising=False)
+    (tmp_path / "roster.csv").write_text("id\nada\n", encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    made = run("generate", "momentum_1", "--roster", "roster.csv", "--course", "mech", "--yes")
+    assert made.exit_code == 0, made.output
+    course = course_in(tmp_path / "mech")
+    assert course is not None
+    assert run("extend", "ada", "momentum_1", "2199-01-01", "--course", "mech").exit_code == 0
+    assert "X12.5" in not_to_be_practised(chapter_bank(), (), course)
 
 
 @pytest.fixture

@@ -7,10 +7,10 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from corollary.cli.ending import say
-from corollary.problem.bank import Bank, UnknownCode
+from corollary.problem.bank import Bank, UnknownCode, chapter_bank
 from corollary.problem.dates import in_words
 from corollary.problem.diagnostic import Malformed
-from corollary.problem.problem_set import ProblemSet, find_set, set_names
+from corollary.problem.problem_set import ProblemSet, file_of_set, find_set, set_names
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, NotACourse, open_course
 from corollary.records.numbers import read_numbers, sets_with_numbers
@@ -33,13 +33,14 @@ def with_sets(bank: Bank, wanted: Sequence[str], course: Course | None = None) -
 def not_to_be_practised(bank: Bank, names: Sequence[str], course: Course | None = None) -> set[str]:
     """The problems of the sets named, and of those that are not due yet: who practises on these has the answers.
 
-    Of a set that the course has generated the course's dates hold, extensions with them.
+    Of a set that the course has generated the course's dates hold, extensions with them. The sets of the chapter's own bank are
+    samples: until a course has generated one, nobody works on it.
     """
     now = datetime.now(UTC)
     of_course = {} if course is None else _open_in(course, now)
     of_bank = {
         each.name: (each.due, _codes(each))
-        for each in (find_set(bank, name) for name in set_names(bank))
+        for each in (find_set(bank, name) for name in set_names(bank) if not _is_a_sample(bank, name))
         if each.due and each.due > now
     }
     waiting: Mapping[str, tuple[datetime | None, set[str]]] = {**of_bank, **of_course}
@@ -47,6 +48,11 @@ def not_to_be_practised(bank: Bank, names: Sequence[str], course: Course | None 
         say(f"left out, since not due yet: the problems of {', '.join(listed)}")
     named = [_codes(_set(bank, name, course)) for name in names]
     return set[str]().union(*named, *(codes for _, codes in waiting.values()))
+
+
+def _is_a_sample(bank: Bank, name: str) -> bool:
+    file = file_of_set(bank, name)
+    return file is not None and chapter_bank().sets.resolve() in file.resolve().parents
 
 
 def _set(bank: Bank, name: str, course: Course | None) -> ProblemSet:
