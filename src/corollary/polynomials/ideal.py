@@ -10,7 +10,7 @@ from typing import Any
 
 from flint import fmpz_mpoly_vec
 
-from corollary.polynomials.polynomial import Polynomial, TooLarge, checked, power, product
+from corollary.polynomials.polynomial import Polynomial, TooLarge, checked, factored, power, product
 from corollary.polynomials.rational_function import RationalFunction
 from corollary.polynomials.signs import Signs
 
@@ -118,7 +118,7 @@ class Ideal:
         if polynomial.is_zero():
             return polynomial
         made = polynomial.context().constant(1)
-        for factor, _ in polynomial.factor()[1]:
+        for factor, _ in factored(polynomial)[1]:
             if not self.never_zero(factor):
                 made = product(made, factor)
         return made
@@ -135,7 +135,7 @@ class Ideal:
 
     def _refresh(self) -> None:
         left = [self.substituted(each) for each in self.nonzero]
-        factors = [factor for each in left if not each.is_zero() for factor, _ in each.factor()[1]]
+        factors = [factor for each in left if not each.is_zero() for factor, _ in factored(each)[1]]
         self._divisors = [each for each in factors if not self.known.of(each)]
         self._basis = None
 
@@ -146,7 +146,7 @@ class Ideal:
             if degree != 1 or place == self.spare:
                 continue
             slope, rest = _coefficients(equation, place)[1], _coefficients(equation, place)[0]
-            if all(self.never_zero(factor) for factor, _ in slope.factor()[1]) and (
+            if all(self.never_zero(factor) for factor, _ in factored(slope)[1]) and (
                 best is None or len(slope) < len(best[1].bottom)
             ):
                 best = place, RationalFunction(-rest, slope)

@@ -4,9 +4,11 @@
 
 from __future__ import annotations
 
+import math
+from fractions import Fraction
 from typing import Any, TypeAlias
 
-from flint import Ordering, fmpz_mpoly_ctx
+from flint import Ordering, fmpq_mpoly_ctx, fmpz_mpoly_ctx
 
 Polynomial: TypeAlias = Any
 """flint's `fmpz_mpoly`, whose types lack some of what it can do."""
@@ -50,6 +52,32 @@ def checked(polynomial: Polynomial) -> Polynomial:
     if any(int(each).bit_length() > MOST_BITS for each in polynomial.coeffs()):
         raise TooLarge
     return polynomial
+
+
+def factored(polynomial: Polynomial) -> tuple[int, list[tuple[Polynomial, int]]]:
+    """A whole number, and irreducible factors with their exponents, whose product is the polynomial."""
+    try:
+        content, found = polynomial.factor()
+    except (
+        OverflowError
+    ):  # flint puts factors in order by coefficients as C integers; over fractions it does not
+        return _factored_in_fractions(polynomial)
+    return int(content), found
+
+
+def _factored_in_fractions(polynomial: Polynomial) -> tuple[int, list[tuple[Polynomial, int]]]:
+    ours = polynomial.context()
+    fractions = fmpq_mpoly_ctx.get(ours.names(), Ordering.degrevlex)
+    content, found = fractions.from_dict(polynomial.to_dict()).factor()
+    scale, factors = Fraction(int(content.p), int(content.q)), list[tuple[Polynomial, int]]()
+    for factor, exponent in found:
+        terms = {place: Fraction(int(each.p), int(each.q)) for place, each in factor.to_dict().items()}
+        below = math.lcm(*(each.denominator for each in terms.values()))
+        shared = Fraction(math.gcd(*(int(each * below) for each in terms.values())), below)
+        whole = {place: int(each / shared) for place, each in terms.items()}
+        factors.append((ours.from_dict(whole), int(exponent)))
+        scale *= shared**exponent
+    return int(scale), factors  # whole by Gauss's lemma: the factors have no divisor
 
 
 def _degree(polynomial: Polynomial) -> int:

@@ -27,7 +27,7 @@ from corollary.formula.ast import (
 )
 from corollary.formula.exact import constant
 from corollary.polynomials.angles import Angles
-from corollary.polynomials.polynomial import Polynomial, TooLarge, context
+from corollary.polynomials.polynomial import Polynomial, TooLarge, context, factored
 from corollary.polynomials.rational_function import RationalFunction
 from corollary.polynomials.signs import Bounds, Signs
 
@@ -203,8 +203,8 @@ def _makes_a_letter(node: Expr) -> bool:
 
 def sign_by_factors(polynomial: Polynomial, signs: Signs) -> int:
     """1 or -1 of a polynomial that has one sign, by those of its factors; 0 where that is not known."""
-    content, factors = polynomial.factor()
+    content, factors = factored(polynomial)
     return math.prod(
         (signs.of(factor) ** (2 - exponent % 2) for factor, exponent in factors),
-        start=1 if int(content) > 0 else -1,
+        start=1 if content > 0 else -1,
     )

@@ -13,7 +13,7 @@ from corollary.answers.proof.form import Same, has_form_of, has_terms_of, in_ful
 from corollary.formula.ast import Expr, Name, Relation, folded, names, substitute
 from corollary.formula.errors import Undefined
 from corollary.polynomials.ideal import Ideal
-from corollary.polynomials.polynomial import Polynomial, TooLarge
+from corollary.polynomials.polynomial import Polynomial, TooLarge, factored
 from corollary.polynomials.signs import Bounds
 from corollary.polynomials.translate import Translation
 
@@ -230,7 +230,7 @@ class _Reader:
 
     def _nonzero(self, tree: Expr) -> bool:
         value = self.translation.fraction(tree).top
-        return all(self.base.never_zero(factor) for factor, _ in value.factor()[1])
+        return all(self.base.never_zero(factor) for factor, _ in factored(value)[1])
 
     def _same(self, ideal: Ideal) -> Same:
         def same(one: Expr, other: Expr) -> bool:

@@ -28,7 +28,7 @@ from corollary.formula.errors import Undefined
 from corollary.formula.exact import constant, exactly
 from corollary.formula.rational_pi import RationalPi
 from corollary.polynomials.ideal import Ideal
-from corollary.polynomials.polynomial import Polynomial, TooLarge
+from corollary.polynomials.polynomial import Polynomial, TooLarge, factored
 from corollary.polynomials.translate import Translation
 from corollary.verify.obligations.box import Box
 from corollary.verify.obligations.obligation import Clause, Equations
@@ -184,7 +184,7 @@ class PolynomialSystem:
 
     def not_zero(self, polynomial: Polynomial) -> tuple[Clause, ...]:
         """That none of its factors is zero."""
-        return tuple((Relation("!=", self.tree(factor), ZERO),) for factor, _ in polynomial.factor()[1])
+        return tuple((Relation("!=", self.tree(factor), ZERO),) for factor, _ in factored(polynomial)[1])
 
     def rows_at(self, values: Mapping[str, RationalPi]) -> list[list[Fraction]] | None:
         """The coefficients of the unknowns for these givens; None where they are not rational, or the system is not linear."""
