@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import lzma
 import shutil
 import zipfile
 from collections.abc import Mapping
@@ -16,12 +17,13 @@ from hypothesis import strategies as some
 
 from corollary.course import collect as collecting
 from corollary.course.collect import Collected, collect
+from corollary.nbgrader.zip_collect import BoundedExtractor
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.collected import ACCEPTED, NOBODY, UNUSABLE
 from corollary.records.files import Course, open_course
 from corollary.records.origin import set_of
 
-from .hostile_archives import HOSTILE, packed
+from .hostile_archives import HOSTILE, far_away, of_method, packed, without_a_name
 from .test_collect import NOW
 
 LMS = "Ben Bool_18_assignsubmission_file_"
@@ -76,6 +78,37 @@ def test_an_archive_that_is_wrong_costs_nobody_else_anything(kind: str, came) ->
         assert not {"Error", "Traceback", "LZMA:", "struct"} & set(each.why.replace("(", " ").split())
 
 
+SMALL = {
+    "LZMA garbage": lambda: of_method(14, b"\0\0\5\0" + b"\xff" * 60),
+    "an offset of 2^63": far_away,
+    "a member without a name": without_a_name,
+}
+
+
+def read_by_python(content: bytes) -> None:
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        for each in archive.infolist():
+            assert each.is_dir() or archive.read(each)
+
+
+@pytest.mark.parametrize("kind", SMALL)
+def test_an_archive_of_less_than_two_hundred_bytes(kind: str, came, tmp_path: Path) -> None:
+    """Each holds what Python's own reader raises something else than BadZipFile over."""
+    content = SMALL[kind]()
+    assert len(content) < 200
+    with pytest.raises((lzma.LZMAError, OverflowError, IndexError)):
+        read_by_python(content)
+    found = collected(came, {"work.zip": content})
+    others_are_taken(found)
+    refused = [each for each in found.arrivals if each.outcome != ACCEPTED]
+    assert {each.student for each in refused} == {"ben"}
+    archive = came[0].folder.parent / "all.zip"
+    extractor = BoundedExtractor()
+    extractor.extract(str(archive), str(tmp_path))
+    names = [path.parent.name for path in sorted(tmp_path.rglob("*.ipynb"))]
+    assert names == sorted(OTHERS.values())
+
+
 def test_who_used_up_the_bound_is_named(came) -> None:
     found = collected(came, {"work.zip": HOSTILE["twelve padded notebooks"]()})
     others_are_taken(found)
@@ -119,6 +152,9 @@ def test_a_failure_of_this_program_over_one_file_stops_nobody_else(came, monkeyp
     others_are_taken(found)
     (why,) = (each.why for each in found.of(UNUSABLE))
     assert "ZeroDivisionError: a fault of ours" in why
+    assert found.log is not None
+    assert "in stumbling" in found.log.read_text()
+    assert found.log.stat().st_mode & 0o777 == 0o600
     monkeypatch.setenv("COROLLARY_DEBUG", "1")
     with pytest.raises(ZeroDivisionError):
         collected(came, {"one.ipynb": came[2]["ben"]})

@@ -16,6 +16,7 @@ from corollary.answers.verdict import Unmarked
 from corollary.course import grade as grading
 from corollary.course import proposed_marks, workers
 from corollary.course.grade import grade_set
+from corollary.course.up_to_date import up_to_date
 from corollary.course.workers import in_turn, side_by_side
 from corollary.formula.value import Value
 from corollary.grading import judge as judging
@@ -24,6 +25,7 @@ from corollary.grading.submission import Submission
 from corollary.nbgrader.graded import GradedSubmission
 from corollary.problem.roster import Student
 from corollary.problem.variant import at
+from corollary.records.failures import read_failures
 from corollary.records.files import open_course
 from corollary.records.origin import set_of
 from corollary.sandbox.runner import Runner
@@ -147,10 +149,16 @@ def test_a_failure_while_reading_or_writing_one_students_work(course: Path, monk
     page = done.page.read_text()
     assert "this program failed over it" in page
     monkeypatch.undo()
+    opened = open_course(course)
+    later = up_to_date(opened, set_of(opened, "one")[1])
+    why = "this program failed over it, and a person has to look (RecursionError: too deep)"
+    assert dict(later.unusable)["cyd"] == why
     again = graded_here(course, regrade=True)
     assert {one: record.points for one, record in again.records.items()} == dict.fromkeys(
         ("ada", "ben", "cyd"), 5.0
     )
+    assert not again.report.unusable
+    assert not read_failures(opened, "one")
 
 
 def test_what_hears_no_signal_is_ended_and_the_others_are_marked(tmp_path: Path, monkeypatch) -> None:

@@ -23,6 +23,7 @@ from corollary.nbgrader.rights import access_list, open_for
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
+from corollary.records.files import BESIDE
 
 pytestmark = [
     pytest.mark.whole,
@@ -134,6 +135,8 @@ def test_feedback_comes_back_to_who_handed_in_through_it_and_the_others_are_name
     by_mail = hub.course / "submitted" / BEN.pw_name / "one"
     by_mail.mkdir(parents=True)
     shutil.copy(hub.course / "release" / BEN.pw_name / "one" / "one.ipynb", by_mail)
+    for each in BESIDE:
+        (by_mail / each).write_bytes(b"\xff\xfe")
     nothing = hub.run(None, "release_feedback", "one")
     assert nothing.returncode != 0
     assert "nobody has a feedback page of one; run corollary grade one" in nothing.stderr
@@ -275,7 +278,7 @@ def test_whatever_rights_a_student_gives_the_own_files(hub: Hub) -> None:
             assert (hub.course / "submitted" / who.pw_name / "one" / "one.ipynb").is_file()
 
 
-@pytest.mark.parametrize("harm", ["closed", "link", "pipe", "name", "large"])
+@pytest.mark.parametrize("harm", ["closed", "link", "pipe", "name", "large", "deep", "loop"])
 def test_what_one_student_hands_in_keeps_no_other_from_being_collected(hub: Hub, harm: str) -> None:
     for path in (hub.course, *hub.course.rglob("*")):
         shutil.chown(path, TEACHER.pw_uid, TEACHER.pw_gid)
@@ -293,6 +296,11 @@ def test_what_one_student_hands_in_keeps_no_other_from_being_collected(hub: Hub,
             os.mkfifo(place / "other.ipynb")
         case "name":
             place.rename(place.with_name(f"{ADA.pw_name}+one+yesterday"))
+        case "loop":
+            (place / "one").symlink_to(".")
+        case "deep":
+            script = "import os\nfor _ in range(1200): os.mkdir('a'); os.chdir('a')"
+            subprocess.run([sys.executable, "-c", script], cwd=place, check=True)
         case _:
             with (place / "data.ipynb").open("wb") as file:
                 file.truncate(200_000_000)
@@ -302,6 +310,33 @@ def test_what_one_student_hands_in_keeps_no_other_from_being_collected(hub: Hub,
     assert "Traceback" not in done.stderr
     assert (hub.course / "submitted" / BEN.pw_name / "one" / "one.ipynb").is_file()
     assert not (hub.course / "submitted" / ADA.pw_name / "one").exists()
+
+
+def test_a_time_that_is_none_keeps_no_other_from_being_collected_again(hub: Hub) -> None:
+    """What Ada hands in holds a timestamp.txt of her own; somebody else's folder is named to lead out of its place."""
+    inbound = hub.folder / "exchange" / "course" / "inbound"
+    inbound.mkdir(parents=True)
+    for when in ("2030-01-01 10:00:00 UTC", "2030-01-02 10:00:00 UTC"):
+        for who in (ADA.pw_name, BEN.pw_name, ".."):
+            place = inbound / f"{who}+one+{when}"
+            place.mkdir()
+            (place / "one.ipynb").write_text("{}")
+            (place / "timestamp.txt").write_text("never" if who == ADA.pw_name else when)
+        os.mkfifo(inbound / f"{BEN.pw_name}+one+2029-12-0{when[9]} 10:00:00 UTC")
+        done = hub.run(None, "collect", "one", "--update")
+        assert done.returncode == 0, done.stderr
+        assert "of .. is left out" in done.stderr
+    assert f"of {ADA.pw_name} is left out" in done.stderr
+    assert (
+        (hub.course / "submitted" / BEN.pw_name / "one" / "timestamp.txt")
+        .read_text()
+        .startswith("2030-01-02")
+    )
+    assert not (hub.course / "one").exists()
+    listed = hub.run(None, "list", "one", "--inbound")
+    assert listed.returncode == 0, listed.stderr
+    assert listed.stderr.count("is left out") == 2
+    assert f"course {BEN.pw_name} one 2030-01-02" in listed.stderr
 
 
 def may_read(hub: Hub, who: pwd.struct_passwd, place: Path) -> bool:

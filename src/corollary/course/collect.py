@@ -8,6 +8,7 @@ from datetime import UTC, datetime
 from functools import cache, partial
 from pathlib import Path
 
+from corollary.course.failure_log import FailureLog
 from corollary.course.hand_in_time import dated
 from corollary.course.latest import Past, counting, settled
 from corollary.course.lms_places import worksheet_numbers
@@ -42,12 +43,13 @@ LONGEST = 30.0  # seconds of the processor for one file; the slowest that was me
 @dataclass(frozen=True, slots=True)
 class Collected:
     """Every file with what became of it; sentences on what was in conflict and on the whole; who has handed in nothing yet and is
-    not excused."""
+    not excused; the file with the tracebacks where this program failed over something."""
 
     arrivals: tuple[Arrival, ...]
     conflicts: tuple[str, ...]
     remarks: tuple[str, ...]
     missing: tuple[str, ...]
+    log: Path | None = None
 
     def of(self, outcome: str) -> tuple[Arrival, ...]:
         return tuple(each for each in self.arrivals if each.outcome == outcome)
@@ -75,6 +77,7 @@ def collect(
     for table in (*([times] if times else []), *(each for each in sources if each.suffix.lower() == ".csv")):
         moments = moments.joined(read_times(table, zone))
         numbers |= worksheet_numbers(table, roster)
+    failures = FailureLog(course, name)
     directory = directory_of(roster, before, numbers)
     known = {each.id: each for each in roster}
     for member in _members(sources, directory, name):
@@ -85,9 +88,11 @@ def collect(
         if isinstance(found, Found):
             met.append(found)
         else:
-            arrivals.append(
-                found if isinstance(found, Arrival) else _stumbled(member, directory, name, found)
-            )
+            if isinstance(found, Failure):
+                stumbled = _stumbled(member, directory, name, found)
+                failures.add(stumbled.student or writable(member.name), [found])
+                found = stumbled
+            arrivals.append(found)
     deadlines = read_deadlines(course, problem_set)
     with_times, remarks = dated(met, moments, zone, deadlines, now)
     remarks += moments.remarks
@@ -101,11 +106,13 @@ def collect(
         of_student = _StudentFiles(course, problem_set, student, theirs, there.get(student), past, dry_run)
         became = guarded(of_student.arrivals)
         if isinstance(became, Failure):
+            failures.add(student, [became])
             why = f"could not be put into submitted/ ({became.what}); nothing of it is lost, collect it again"
             became = [each.arrival(UNUSABLE, why) for each in theirs]
         arrivals += became
         conflicts += of_student.conflicts
         moved += of_student.moved
+    failures.write()
     if not dry_run:
         remember(course, name, sorted(arrivals, key=lambda each: each.outcome == NOBODY))
     if moved:
@@ -113,7 +120,9 @@ def collect(
     came = there.keys() | by_student.keys()
     expected = [each.id for each in roster if each.id in assigned and not deadlines.excused(each.id)]
     missing = tuple(each for each in expected if each not in came)
-    return Collected(tuple(arrivals), tuple(conflicts), tuple(remarks), missing)
+    return Collected(
+        tuple(arrivals), tuple(conflicts), tuple(remarks), missing, failures.place if failures.found else None
+    )
 
 
 @dataclass(slots=True)

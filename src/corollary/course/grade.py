@@ -33,6 +33,7 @@ from corollary.records.assigned import AssignedSheet, read_assigned
 from corollary.records.causes import dependencies
 from corollary.records.collusion import find_shared, write_shared
 from corollary.records.deadlines import Deadlines, Terms, read_deadlines
+from corollary.records.failures import write_failures
 from corollary.records.files import Course, students
 from corollary.records.hand_in_time import GuessedTime, guessed_time, settle_time
 from corollary.records.manual import ManualMarks
@@ -165,7 +166,9 @@ def grade_set(
         manual = synchronized(course) if todo else manual  # a person may have given some meanwhile
         own = read_records(course, problem_set, handed_in.files)
         write_shared(course, problem_set, find_shared(problem_set, solutions, handed_in.assigned, own))
-    report = report_of(course, problem_set, manual, failures.by_student)
+    if not dry_run:
+        write_failures(course, name, failures.by_student, digests.keys() - set(todo))
+    report = report_of(course, problem_set, manual, failures.by_student if dry_run else None)
     if not dry_run:
         _write_pages(course, problem_set, report, manual, handed_in.files, failures)
     failures.write()

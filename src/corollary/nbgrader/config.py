@@ -11,13 +11,14 @@ from corollary.records.files import Course
 MARK = "# Written by corollary."
 FEEDBACK_ROAD = 'c.ExchangeFactory.release_feedback = "corollary.nbgrader.exchange.ReleaseOwnFeedback"\n'
 COLLECT_ROAD = 'c.ExchangeFactory.collect = "corollary.nbgrader.exchange.CollectFromEach"\n'
+LIST_ROAD = 'c.ExchangeFactory.list = "corollary.nbgrader.exchange.ListEach"\n'
 ROADS = f"""\
 
 # The exchange gives each student the own sheet, and `nbgrader zip_collect` knows the names that Moodle and Canvas give to files.
 c.ExchangeFactory.release_assignment = "corollary.nbgrader.exchange.ReleaseOwnSheets"
 c.ExchangeFactory.fetch_assignment = "corollary.nbgrader.exchange.FetchOwnSheet"
 c.ExchangeFactory.submit = "corollary.nbgrader.exchange.SubmitOwnSheet"
-{COLLECT_ROAD}{FEEDBACK_ROAD}c.ZipCollectApp.extractor_plugin = "corollary.nbgrader.zip_collect.BoundedExtractor"
+{COLLECT_ROAD}{LIST_ROAD}{FEEDBACK_ROAD}c.ZipCollectApp.extractor_plugin = "corollary.nbgrader.zip_collect.BoundedExtractor"
 c.ZipCollectApp.collector_plugin = "corollary.nbgrader.zip_collect.OwnerCollector"
 """
 TEXT = f"""\
@@ -114,7 +115,7 @@ def renew_config(course: Course) -> None:
         renewed = renewed.replace(FORMER_FEEDBACK, now).replace("\n\nc = get_config()", IMPORTS, 1)
     if MARK in renewed and ROADS.split("\n")[1] not in renewed:
         renewed = CONFIG.sub(lambda line: line[0] + ROADS, renewed, count=1)
-    for road in (FEEDBACK_ROAD, COLLECT_ROAD):
+    for road in (FEEDBACK_ROAD, COLLECT_ROAD, LIST_ROAD):
         if MARK in renewed and road.split(" = ")[0] not in renewed:
             renewed = CONFIG.sub(lambda line, road=road: line[0] + road, renewed, count=1)
     if renewed != text:

@@ -12,8 +12,9 @@ from __future__ import annotations
 import os
 import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
@@ -21,6 +22,7 @@ from nbgrader.coursedir import CourseDirectory
 from nbgrader.exchange.default import (
     ExchangeCollect,
     ExchangeFetchAssignment,
+    ExchangeList,
     ExchangeReleaseAssignment,
     ExchangeReleaseFeedback,
     ExchangeSubmit,
@@ -28,12 +30,16 @@ from nbgrader.exchange.default import (
 from nbgrader.utils import get_username
 
 from corollary.atomic import write_whole
+from corollary.guard import Failure, guarded
 from corollary.messages import few
 from corollary.nbgrader.rights import FILE_RIGHTS, make_ordinary, open_for
+from corollary.problem.roster import ID
 from corollary.records.assigned import is_assigned
+from corollary.records.collected import writable
 from corollary.records.files import BESIDE, Course, open_course, students
 from corollary.records.hand_in_time import beside
 from corollary.records.marks import feedback_place
+from corollary.sandbox.file import bytes_of
 
 INSTEAD = "give the sheets out with corollary release --to zip, mail, moodle or canvas instead"
 MOST_NAMED = 5
@@ -141,12 +147,17 @@ class CollectFromEach(ExchangeCollect):
     def copy_files(self) -> None:
         to_collect: list[dict[str, Any]] = []
         for each in self.src_records:
-            if fault := self._fault(each):
+            fault = guarded(partial(self._fault, each))
+            if fault := fault.what if isinstance(fault, Failure) else fault:
                 self._leave_out(each["username"], each["filename"], fault)
             else:
                 to_collect.append(each)
+        for each in to_collect:
+            self.src_records = [each]
+            done = guarded(super().copy_files)
+            if isinstance(done, Failure):  # such as a timestamp.txt that holds no time, with --update
+                self._leave_out(each["username"], each["filename"], done.what)
         self.src_records = to_collect
-        super().copy_files()
 
     def do_copy(self, src: str, dest: str, log: Any = None) -> None:
         try:
@@ -163,6 +174,8 @@ class CollectFromEach(ExchangeCollect):
         most = 1000 * cast(CourseDirectory, self.coursedir).max_dir_size
         if record["timestamp"] == NO_TIME:
             return "its name holds no time"
+        if not ID.match(record["username"]):  # it names a folder of the course
+            return "its name begins with nobody's id"
         if unreadable := next(_unreadable(place), None):
             return f"{os.path.relpath(unreadable, place)} cannot be read, or is neither a file nor a folder"
         return f"it is larger than {most // 1_000_000} MB" if self.get_size(place) > most else ""
@@ -171,6 +184,27 @@ class CollectFromEach(ExchangeCollect):
         self.log.warning(
             "The hand-in %s of %s is left out: %s; ask %s to submit again", name, student, fault, student
         )
+
+
+class ListEach(ExchangeList):
+    """List: what was handed in that cannot be read is left out and named, and the others are listed."""
+
+    def parse_assignments(self) -> list[dict[str, Any]]:
+        if self.inbound or self.cached:
+            self.assignments = [each for each in self.assignments if self._can_be_listed(each)]
+        return cast(list[dict[str, Any]], super().parse_assignments())
+
+    def _can_be_listed(self, place: str) -> bool:
+        """Whether it is listed on its own; why not is said."""
+        self.assignments = [place]
+        parse = cast(Callable[[], object], super().parse_assignments)
+        unreadable = guarded(lambda: next(_unreadable(place), None))
+        done = guarded(parse) if unreadable is None else unreadable
+        if unreadable is not None or isinstance(done, Failure):
+            why = done.what if isinstance(done, Failure) else "it, or a file in it, cannot be read"
+            self.log.warning("%s is left out: %s", writable(os.path.basename(place)), why)
+            return False
+        return True
 
 
 class ReleaseOwnFeedback(ExchangeReleaseFeedback):
@@ -227,9 +261,18 @@ def _can_be_fetched(course: Course, name: str, student: str) -> bool:
     """Whether what nbgrader finds a page by lies beside it, put there from what was handed in where it is missing."""
     place = course.place("feedback", student, name)
     for each in BESIDE:
-        if not (place / each).is_file() and (content := beside(course, name, student, each)):
+        if not _is_text(place / each) and (content := beside(course, name, student, each)):
             write_whole(place / each, content)
-    return all((place / each).is_file() for each in BESIDE)
+    return all(_is_text(place / each) for each in BESIDE)
+
+
+def _is_text(file: Path) -> bool:
+    """Whether nbgrader, which reads it as text, gets over it: a student may hand in any bytes by that name."""
+    content = bytes_of(file, 1 << 10)
+    try:
+        return isinstance(content, bytes) and bool(content.decode())
+    except UnicodeDecodeError:
+        return False
 
 
 def _ours(root: Path) -> Course | None:

@@ -17,6 +17,7 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.records.collected import UNUSABLE, read_arrivals, without_owner
 from corollary.records.collusion import RARE, SHARING, Shared, read_shared
 from corollary.records.deadlines import Deadlines, read_deadlines
+from corollary.records.failures import read_failures
 from corollary.records.files import Course, students
 from corollary.records.hand_in_time import guessed_time, handed_in, why_guessed
 from corollary.records.manual import ManualMarks
@@ -134,7 +135,8 @@ def report_of(
     failures: Mapping[str, str] | None = None,
 ) -> Report:
     """The report from the records of a course, its rows in the order of the set's parts; `manual` is what persons gave (what
-    the journal holds when left out); `failures` says over whose work this program failed, and how. Raises NotACourse."""
+    the journal holds when left out); `failures` says over whose work this program failed, and how (at the last grading when left
+    out). Raises NotACourse."""
     parts = [(problem.code, part.id) for problem in problem_set.problems for part in problem.parts]
     places = {part: place for place, part in enumerate(parts)}
     roster = [student.id for student in students(course)]
@@ -152,7 +154,8 @@ def report_of(
         if student in known
     }
     marked = {each.handed_in.student for each in records if not each.trouble}
-    for student, what in (failures or {}).items():
+    failed = read_failures(course, name) if failures is None else failures
+    for student, what in failed.items():
         if student in marked:  # of one answer, which waits for a person
             continue
         unusable[student] = f"this program failed over it, and a person has to look ({visible(what)})"
