@@ -33,7 +33,6 @@ from corollary.atomic import write_whole
 from corollary.guard import Failure, guarded
 from corollary.messages import few
 from corollary.nbgrader.rights import FILE_RIGHTS, make_ordinary, open_for
-from corollary.problem.roster import ID
 from corollary.records.assigned import is_assigned
 from corollary.records.collected import writable
 from corollary.records.files import BESIDE, Course, open_course, students
@@ -174,8 +173,6 @@ class CollectFromEach(ExchangeCollect):
         most = 1000 * cast(CourseDirectory, self.coursedir).max_dir_size
         if record["timestamp"] == NO_TIME:
             return "its name holds no time"
-        if not ID.match(record["username"]):  # it names a folder of the course
-            return "its name begins with nobody's id"
         if unreadable := next(_unreadable(place), None):
             return f"{os.path.relpath(unreadable, place)} cannot be read, or is neither a file nor a folder"
         return f"it is larger than {most // 1_000_000} MB" if self.get_size(place) > most else ""
