@@ -222,7 +222,7 @@ where:
 A block on a slope of angle {{theta}} and length {{L}}; the friction is {{mu}}, and $g = {{g}}$.
 
 ## Acceleration {#a .value unit="m/s^2"}
-How large is it?
+What is it if it slides, positive down the slope?
 
 ## Does it slide? {#b .choice}
 - (A) Yes.
