@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from corollary.derive.listed_forces import listed_forces
@@ -107,6 +109,30 @@ def test_others_are_refused_at_their_line(tmp_path, forces, laws, words):
     with pytest.raises(NotDerivable, match=words) as found:
         solved(tmp_path, forces, laws)
     assert found.value.line == 10
+
+
+@pytest.mark.parametrize(
+    ("law", "same"),
+    [
+        ("N + P*tan(beta)/sqrt(1 + tan(beta)^2) = m*g", True),  # beta below 90°
+        ("N + P*sin(beta) = (m*g)^2/(m*g)", True),
+        ("N + P*2*tan(beta/2)/(1 + tan(beta/2)^2) - m*g = 0", True),
+        ("N + P*sin(beta)*(1 + 1e-12) = m*g", False),
+        ("2*N + 2*P*sin(beta) = 2*m*g", False),  # true of what is found, and no sum of these forces
+    ],
+)
+def test_another_form_of_the_law_is_taken_and_another_law_refuted_by_numbers(tmp_path, law, same):
+    laws = LAWS.replace('"Balance", "N + P*sin(beta) = m*g"', f'"Balance", "{law}"')
+    if same:
+        solved(tmp_path, laws=laws)
+        return
+    with pytest.raises(
+        NotDerivable, match=r"points elsewhere; at m = 40.kg, .*N = 1/7 what its sides differ by is"
+    ) as found:
+        solved(tmp_path, laws=laws)
+    shown = re.search(r"differ by is (\S+) and the sum of the forces (\S+) \(SI\)", str(found.value))
+    assert shown is not None
+    assert float(shown[1]) != float(shown[2])
 
 
 def test_a_letter_that_laws_needed_besides_is_a_magnitude(tmp_path):

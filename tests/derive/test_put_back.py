@@ -156,3 +156,61 @@ def test_a_difference_is_seen_however_small_and_none_is_seen_where_there_is_none
     otherwise = formula.rewrite(sympy.tan).rewrite(sympy.cosh) + more * LETTERS[0]
     found = compared(formula, otherwise, X12_5)
     assert found.how in (("algebra", "points") if more == 0 else ("differ",))
+
+
+MOVING = """\
+from sympy import *
+from corollary.author import *
+from corollary.laws import law
+def derive(a, b, c):
+    T, w, t = unknowns("T w t")
+    x = function("x", t)
+    return derivation(
+        step(w, "Rate.", law("Rate", "w = ln(2)/a")),
+        step(T, "Fades.", law("Fades", "dx/dt = -w*x", x=x), law("Begins", "x(0) = b", x=x),
+             law("Ends", "x(T) = c*b", x=x), answers="a", routes=[route("Otherwise.", law("Way", "{way}"))]),
+        confirm("Besides.", law("Second", "{besides}", x=x)),
+    )
+"""
+
+
+@pytest.mark.parametrize(
+    ("way", "besides"),
+    [
+        ("T = -ln(c)/w", "d2x/dt2 = w^2*x"),
+        ("2^(-T/a) = c", "dx/dt = -w*b*exp(-w*t)"),
+        ("T = -ln(c)/w", "d2x/dt2 = w^2*x*(1 + 1e-9)"),
+        ("T = -ln(c)/w", "dx/dt = -w*b*exp(-w*t)*cos(w*t)"),
+    ],
+)
+def test_a_law_with_derivatives_is_refuted_by_numbers(make, way, besides):
+    bank = make(whole=MOVING.format(way=way, besides=besides), front=FRONT, asks=ASKS)
+    found = [each for each in put_laws_back(bank, problem_of(bank)) if each.complaint]
+    if "1e-9" not in besides and "cos" not in besides:
+        assert found == []
+        return
+    (wrong,) = found
+    shown = re.search(r"t = (\S+) the left side is (\S+) and the right side (\S+) \(SI\)", wrong.complaint)
+    assert shown is not None, wrong.complaint
+    t, left, right = map(sympy.Rational, shown.groups())
+    rate = sympy.log(2) / sympy.Rational(3, 2)
+    slope = -rate * sympy.Rational(7, 10) * sympy.exp(-rate * t)
+    truth = -rate * slope if besides.startswith("d2") else slope
+    assert abs(truth - left) < sympy.Rational(1, 10**5)
+    assert left != right
+
+
+def test_what_is_not_decided_is_called_so(make, monkeypatch):
+    """Neither proven nor refuted: a complaint of its own, and no counter-example."""
+    monkeypatch.setattr("corollary.derive.sampled._at_point", lambda trees, point: False)
+    monkeypatch.setattr("corollary.derive.sampled.vanishes", lambda residual: False)
+    bank = make(
+        whole=WHOLE.format(law="sinh(x) = a", besides="x = ln(a + sqrt(a^2 + 1))", where=""),
+        front=FRONT,
+        asks=ASKS,
+    )
+    checked = verify(bank, problem_of(bank), 3)
+    (held,) = [each for each in checked.obligations if each.kind == "laws hold"]
+    assert (held.outcome, held.by) == ("undecided", "neither algebra nor numbers decide it")
+    (complaint,) = checked.complaints
+    assert "whether sinh(x) = a holds for the answers was not decided" in complaint

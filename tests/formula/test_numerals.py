@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from corollary.formula.errors import ParseError
-from corollary.formula.numerals import TO_ASCII, Written, decimal_text, scan_number
+from corollary.formula.numerals import TO_ASCII, Written, decimal_text, figures_apart, scan_number
 
 
 def number_in(text: str) -> Written | ParseError | None:
@@ -173,3 +173,20 @@ def test_exactly_means_exactly(number):
 )
 def test_numbers_for_people(number, figures, text):
     assert decimal_text(number, figures) == text
+
+
+@given(
+    st.lists(
+        st.one_of(st.fractions(max_denominator=10**12), st.floats(allow_nan=False, allow_infinity=False)),
+        min_size=1,
+        max_size=4,
+    ),
+    st.integers(1, 8),
+    st.integers(0, 20),
+)
+def test_values_that_differ_are_written_apart(values, least, places):
+    values = [*values, values[0], Fraction(values[0]) + Fraction(1, 10**places)]
+    figures = figures_apart(values, least)
+    texts = {decimal_text(each, figures): each for each in values}
+    assert len(texts) == len(set(values))
+    assert figures == least or len({decimal_text(each, figures - 1) for each in values}) < len(set(values))

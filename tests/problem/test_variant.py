@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 from math import pi, prod
 
@@ -9,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from corollary.problem.bank import chapter_bank, load
+from corollary.problem.bank import chapter_bank, find, load
 from corollary.problem.statement import filled
 from corollary.problem.variant import OutOfRange, at, chapter, chosen, first_broken, in_print, size, written
 
@@ -139,3 +140,13 @@ def test_a_given_as_it_is_read(read, row, index, text):
     first, second = filled(problem.statement, variant).split(" and ")
     assert first == written(variant, "x")
     assert first.startswith(in_print(second))
+
+
+def test_values_that_differ_are_told_apart_in_the_sentence_that_says_so():
+    """The atom needs d < b: with values that agree in six figures the sentence shows the others, too."""
+    problem = find(chapter_bank(), "catching_an_atom")
+    b = Fraction("0.18380000000001")
+    with pytest.raises(OutOfRange) as refused:
+        chosen(problem, {"b": b, "d": b + Fraction(1, 10**13)})
+    found = dict(re.findall(r"(\w+) = (\S+)", str(refused.value)))
+    assert Fraction(found["d"]) > Fraction(found["b"])

@@ -26,7 +26,7 @@ from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
-from corollary.problem.variant import OutOfRange, chosen, written
+from corollary.problem.variant import OutOfRange, chosen, written_apart
 from corollary.units.unit import Dimension
 from corollary.verify.figures import ABOUT
 
@@ -131,10 +131,7 @@ def _formula(key: Key, part: Part, nothing: AuditedAnswer, unread: str) -> Audit
                 nothing, why=f"the published answer {nothing.published!r} cannot be read: {unread}"
             )
         if not isinstance(verdict, Right) or verdict.leniently:
-            given = {
-                each_given.symbol: written(each.variant, each_given.symbol)
-                for each_given in each.variant.problem.givens
-            }
+            given = written_apart(each.variant)
             derived = quantity(each.truths[part.id].values[0], part.unit)
             return replace(
                 found,

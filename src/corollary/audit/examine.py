@@ -8,7 +8,14 @@ from dataclasses import dataclass, replace
 from corollary.answers.quantity import Reading, read_quantity
 from corollary.answers.tolerance import last_place
 from corollary.audit.contractor import NoContractor
-from corollary.audit.exercise import AdmittedRoot, PublishedExercise, contradictions, exercise_of, quantity
+from corollary.audit.exercise import (
+    AdmittedRoot,
+    PublishedExercise,
+    contradictions,
+    exercise_of,
+    quantities_apart,
+    quantity,
+)
 from corollary.audit.formula_key import formula_in, function_outcome
 from corollary.audit.outcome import AuditedAnswer
 from corollary.audit.put_back import broken_law
@@ -178,7 +185,7 @@ def _number_outcome(
         why = _why_impossible(exercise, number, letter, solved.roots)
         return replace(nothing, finding="impossible", why=why)
     for law, left, right in contradictions(admitted[0], CONTRADICTION):
-        displayed = (quantity(left, None), quantity(right, None))
+        displayed = quantities_apart((left, right), None)
         why = f"the givens contradict each other: {law}"
         return replace(nothing, finding="impossible", why=why, violates=law, sides=displayed)
     distinct = _distinct(admitted, letter)

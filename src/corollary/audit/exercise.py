@@ -17,7 +17,7 @@ from corollary.formula.ball import RationalPi, certified, holds
 from corollary.formula.enclosure import Enclosure
 from corollary.formula.errors import Undefined
 from corollary.formula.exact import constant
-from corollary.formula.numerals import decimal_text
+from corollary.formula.numerals import decimal_text, figures_apart
 from corollary.formula.syntax import author_formula
 from corollary.laws.law import Law
 from corollary.problem.conditions import relations
@@ -306,6 +306,12 @@ def exact(given: StatedGiven) -> RationalPi:
     """A given with one value in SI."""
     assert given.low is not None
     return RationalPi(*given.unit.to_si(given.low))
+
+
+def quantities_apart(values: Sequence[float], unit: Unit | None, figures: int = FIGURES) -> tuple[str, ...]:
+    """Values in SI as people read them, with as many more figures as it takes to see which differ."""
+    figures = figures_apart([each if unit is None else unit.from_si(each) for each in values], figures)
+    return tuple(quantity(each, unit, figures) for each in values)
 
 
 def quantity(value: float, unit: Unit | None, figures: int = FIGURES) -> str:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from corollary.answers.equality import Different, Equal, Undecided, compare, hint
-from corollary.audit.exercise import PublishedExercise, exact, quantity
+from corollary.audit.exercise import PublishedExercise, exact, quantities_apart, quantity
 from corollary.audit.identity import identical
 from corollary.audit.outcome import AuditedAnswer
 from corollary.audit.record import StatedGiven
@@ -250,8 +250,11 @@ def _counterexample(
         if not any(each is not None and not _differ(each, value) for each in theirs for value in values):
             unit = exercise.unit_of(letter)
             given = {name: _as_given(exercise.givens[name], value) for name, value in point.items()}
-            published = next((quantity(each, unit) for each in theirs if each is not None), "no value")
-            return given | {"published": published, "derived": quantity(values[0], unit)}
+            published = next((each for each in theirs if each is not None), None)
+            if published is None:
+                return given | {"published": "no value", "derived": quantity(values[0], unit)}
+            theirs_there, ours = quantities_apart((published, values[0]), unit)
+            return given | {"published": theirs_there, "derived": ours}
     return None
 
 

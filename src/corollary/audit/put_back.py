@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from corollary.audit.exercise import AdmittedRoot, PublishedExercise, quantity
+from corollary.audit.exercise import AdmittedRoot, PublishedExercise, quantities_apart
 from corollary.formula.ast import Expr, Relation, names
 from corollary.formula.ball import RationalPi, certified
 from corollary.formula.errors import ParseError, Undefined
@@ -14,7 +14,7 @@ from corollary.formula.syntax import author_formula
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import Dimension, Unit, si_unit
 
-FIGURES = (4, 6, 9, 12)  # of the sides: as many as it takes to see that they differ
+FIGURES = 4  # of the sides; more where these are the same
 ROUNDING = 1e-9  # relative: sides so near are the same
 
 
@@ -66,12 +66,8 @@ def most_broken(
 
 
 def _written(left: float, right: float, unit: Unit | None) -> tuple[str, str]:
-    written = "", ""
-    for figures in FIGURES:
-        written = quantity(left, unit, figures), quantity(right, unit, figures)
-        if written[0] != written[1]:
-            break
-    return written
+    one, other = quantities_apart((left, right), unit, FIGURES)
+    return one, other
 
 
 def _unit(relation: Relation, dimensions: Mapping[str, Dimension]) -> Unit | None:

@@ -24,6 +24,7 @@ from corollary.cli.parameters import (
     LISTED,
     MARKING,
     NEW,
+    OF_COURSE,
     PAGE,
     PATH,
     PLAYED,
@@ -56,7 +57,7 @@ command(
     CODE,
     *BANK_AND_LANGUAGE,
     text("--student", "The numbers this student would get (with --course: those dealt there).", STUDENTS),
-    path("--course", text="Take the student's numbers from this course."),
+    OF_COURSE,
     click.Option(["--variant"], type=int, help="The variant with this index in the grid."),
     SOLUTION,
     FORMAT,
@@ -70,7 +71,7 @@ command(
     BANK,
     several("--set", "givens", 'A given: m=0.43 (SI) or v="72 km/h"'),
     text("--student", "The numbers this student would get (with --course: those dealt there).", STUDENTS),
-    path("--course", text="Take the student's numbers from this course."),
+    OF_COURSE,
     path("--cases", text="A JSON list of givens in SI; the answer is a list."),
     JSON,
 )
@@ -80,6 +81,7 @@ command(
     CODE,
     path("--cases", text='A JSON list of {"given": {…}, "answers": {…}}.', required=True),
     BANK,
+    OF_COURSE,
     flag("--reveal", "Feedback may give the right values."),
     JSON,
 )

@@ -6,17 +6,17 @@ from pathlib import Path
 from typing import Any
 
 from corollary.api import UnknownPart, judge, solve
+from corollary.cli.chosen_variant import chosen_problem
 from corollary.cli.ending import HOLDS, answer, unforeseen
 from corollary.cli.given import read_cases
 from corollary.derive.solution import Solution
 from corollary.formula.ball import Undefined
 from corollary.grading.record import grade_record
-from corollary.problem.bank import home
 from corollary.problem.variant import OutOfRange
 
 
-def run(code: str, bank: Path | None, cases: Path, reveal: bool, as_json: bool) -> int:
-    solution = solve(home(bank, code)[1])
+def run(code: str, bank: Path | None, course: Path | None, cases: Path, reveal: bool, as_json: bool) -> int:
+    solution = solve(chosen_problem(bank, course, code)[1])
     records = [_case(solution, case, reveal) for case in read_cases(cases)]
     if as_json:
         answer(records)

@@ -6,13 +6,12 @@ from pathlib import Path
 from typing import Any
 
 from corollary.api import solve, variant
-from corollary.cli.chosen_variant import chosen_variant
+from corollary.cli.chosen_variant import chosen_problem, chosen_variant
 from corollary.cli.ending import HOLDS, answer, refuse, unforeseen
 from corollary.cli.given import from_options, read_cases
 from corollary.derive.solution import Solution
 from corollary.formula.ast import Name
 from corollary.grading.key_record import decimal, key_record
-from corollary.problem.bank import home
 from corollary.problem.variant import OutOfRange, Variant
 from corollary.verify.certificate.record import on_record
 
@@ -26,10 +25,10 @@ def run(
     cases: Path | None,
     as_json: bool,
 ) -> int:
-    place, problem = home(bank, code)
+    place, problem = chosen_problem(bank, course, code)
     named = [
         ("--set", bool(givens)),
-        ("--student", student is not None or course is not None),
+        ("--student", student is not None),
         ("--cases", cases is not None),
     ]
     chosen = [option for option, given in named if given]

@@ -77,6 +77,10 @@ SET = click.Argument(
 )
 JSON = click.Option(["--json", "as_json"], is_flag=True, help="One JSON document on standard output.")
 COURSE = path("--course", text="The course folder; the one around the working folder when left out.")
+OF_COURSE = path(
+    "--course",
+    text="Look for the problem first in the banks of this course's sets; for --student take the numbers dealt there.",
+)
 BANK = click.Option(
     ["--bank"],
     type=PATH,

@@ -7,11 +7,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from corollary.cli.chosen_variant import chosen_variant
+from corollary.cli.chosen_variant import chosen_problem, chosen_variant
 from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.messages import did_you_mean
 from corollary.notebook.worksheet import Exercise, Prompt, exercise
-from corollary.problem.bank import home
 from corollary.problem.roster import Student
 from corollary.problem.variant import written
 from corollary.render.exports import UnknownTarget, names_for_exercises, target
@@ -34,7 +33,7 @@ def run(
     write = _writer(fmt or "text")
     if student is not None and variant is not None:
         refuse("--student and --variant both choose the numbers; give one of them")
-    place, problem = home(bank, code)
+    place, problem = chosen_problem(bank, course, code)
     chosen = chosen_variant(place, problem, student, course, variant)
     worked = ""
     if solution:

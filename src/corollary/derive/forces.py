@@ -12,6 +12,7 @@ from corollary.answers.ways import DEGREES, of_a_slope
 from corollary.derive.applied import applied
 from corollary.derive.free_body import Acting, Along, Forces
 from corollary.derive.known import Known, vanishes
+from corollary.derive.sampled import identical
 from corollary.derive.solution import SolvedForces
 from corollary.formula.ast import Expr, Relation
 from corollary.formula.from_sympy import tree
@@ -32,7 +33,7 @@ def solved_forces(entry: Forces[Any, Law], part: Part, known: Known) -> SolvedFo
     pulls = [(each.letter, each.magnitude, angle_of(each.way, slope)) for each in entry.forces]
     words = [each.way if isinstance(each.way, str) else "" for each in entry.forces]
     for balance in entry.balances:
-        _check(balance, pulls, slope)
+        _check(balance, pulls, slope, known)
     axes = [angle_of(each.way, slope) for each in entry.balances]
     for letter, _magnitude, angle in pulls:
         if all(vanishes(sympy.cos(angle - axis)) for axis in axes):
@@ -84,17 +85,34 @@ def _slope(part: Part, known: Known) -> sympy.Expr | None:
     return found
 
 
-def _check(balance: Along[Law], pulls: list[tuple[str, Any, sympy.Expr]], slope: sympy.Expr | None) -> None:
-    """The sum of the components along the direction is one side of the law, or what its two sides differ by."""
+def _check(
+    balance: Along[Law], pulls: list[tuple[str, Any, sympy.Expr]], slope: sympy.Expr | None, known: Known
+) -> None:
+    """The sum of the components along the direction is one side of the law, or what its two sides differ by.
+
+    So by algebra, or at numbers: for all values of the letters, not only for those that the laws make of them.
+    """
     axis = angle_of(balance.way, slope)
     total = sum(
         (size * sympy.expand_trig(sympy.cos(angle - axis)) for _letter, size, angle in pulls), sympy.S.Zero
     )
     for left, right in sides(balance.law):
-        residual = left - right
-        if not any(vanishes(side - total) for side in (left, right, residual, -residual)):
-            raise ValueError(
-                f"the forces add up to {sympy.sstr(sympy.simplify(total))} along {balance.way!r}, but "
-                f"{balance.law.name or 'the law'} says {sympy.sstr(left)} = {sympy.sstr(right)}: a force is missing, too "
-                "much, or points elsewhere"
+        letters = {symbol for each in (left, right, total) for symbol in each.free_symbols} - known.givens
+        found = [identical(side, total, known, letters) for side in (left, right, left - right, right - left)]
+        if any(each.holds for each in found):
+            continue
+        differs = all(each.how == "differ" for each in found)
+        fault = (
+            "a force is missing, too much, or points elsewhere"
+            if differs
+            else "whether that is the same was not decided, neither by algebra nor at numbers; state the law in the same form"
+        )
+        raise ValueError(
+            f"the forces add up to {sympy.sstr(sympy.simplify(total))} along {balance.way!r}, but "
+            f"{balance.law.name or 'the law'} says {sympy.sstr(left)} = {sympy.sstr(right)}: {fault}"
+            + (
+                f"; {found[2].at_numbers('what its sides differ by', 'the sum of the forces')}"
+                if differs
+                else ""
             )
+        )

@@ -25,7 +25,7 @@ from corollary.formula.syntax import author_formula
 from corollary.laws.law import substitute
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
-from corollary.problem.variant import Variant, chapter, written
+from corollary.problem.variant import Variant, chapter, written_apart
 from corollary.units.dimensional_analysis import Dimension, dimension_of
 
 DIGITS, BITS = 30, 128
@@ -47,11 +47,9 @@ class Point:
 
 def point(variant: Variant, symbols: list[sympy.Symbol]) -> Point:
     """The point of a variant."""
-    labels = {
-        given.symbol: written(variant, given.symbol) for given in variant.problem.givens if not given.source
-    }
     givens = variant.exact
-    return Point({symbol: in_sympy(givens[symbol.name]) for symbol in symbols}, dict(givens), labels)
+    exact = {symbol: in_sympy(givens[symbol.name]) for symbol in symbols}
+    return Point(exact, dict(givens), written_apart(variant))
 
 
 def in_sympy(value: RationalPi) -> sympy.Expr:

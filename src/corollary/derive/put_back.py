@@ -15,7 +15,7 @@ from corollary.derive.derivation import Asserted
 from corollary.derive.functions import is_differential, letters_in, put_back
 from corollary.derive.known import Known
 from corollary.derive.load import load
-from corollary.derive.sampled import NO_NUMBERS, Equality, How, compared, holds
+from corollary.derive.sampled import NO_NUMBERS, Equality, How, compared, holds, identical
 from corollary.derive.solve import Solver, solvers
 from corollary.derive.statements import Confirm, Neglected, Step
 from corollary.laws.law import Law, sides, symbols
@@ -27,11 +27,12 @@ from corollary.problem.problem import Problem
 class PutBack:
     """An equation of a law, or a claim, with all that was found put in: how it holds, or the sentence that says why not.
 
-    `line` is that of the step or claim. What is found by a simulation has no formula to be put in ("simulated").
+    `line` is that of the step or claim. What is found by a simulation has no formula to be put in ("simulated"); "refused" is a claim.
+    An equation that differs does so `at` numbers, which the sentence tells with both values.
     """
 
     line: int
-    how: How | Literal["simulated"]
+    how: How | Literal["simulated", "refused"]
     complaint: str = ""
     at: Mapping[str, str] = field(default_factory=lambda: NO_NUMBERS)
 
@@ -51,7 +52,7 @@ def _put_back(solver: Solver) -> Iterator[PutBack]:
         line = step.statement.line
         if isinstance(step, Asserted):
             sentences = [str(solver.failing(each, line)) for each in _unmet(step, solver.known)]
-            yield from (PutBack(line, "differ", each) for each in sentences)
+            yield from (PutBack(line, "refused", each) for each in sentences)
             claimed = len(step.laws) if isinstance(step, Confirm) else 1
             yield from [PutBack(line, "algebra")] * (claimed - len(sentences))
         if isinstance(step, Step):
@@ -67,11 +68,9 @@ def _one_put_back(one: sympy.Expr, other: sympy.Expr, law: Law, solver: Solver, 
     found = _equality(one, other, law, solver.known)
     if found.holds:
         return PutBack(line, found.how)
-    fault = f"{law.name} does not hold for the answers: {one} = {other}"
+    fault = f"{law.name} does not hold for the answers: {one} = {other}; {found.at_numbers()}"
     if found.how == "undecided":
         fault = f"{law.name}: whether {one} = {other} holds for the answers was not decided, neither by algebra nor at numbers"
-    elif found.at:
-        fault += f"; {found.at_numbers()}"
     return PutBack(line, found.how, str(solver.failing(fault, line)), found.at)
 
 
@@ -88,8 +87,7 @@ def _unconfirmed(known: Known, entry: Confirm) -> Iterator[str]:
                 continue
             found = [_equality(one, other, law, known) for one, other in sides(law)]
             if broken := next((each for each in found if each.how == "differ"), None):
-                numbers = f" ({broken.at_numbers()})" if broken.at else ""
-                yield f"{law.name} does not hold for the answers: a sign or a term is wrong, here or in a law of a step{numbers}"
+                yield f"{law.name} does not hold for the answers: a sign or a term is wrong, here or in a law of a step ({broken.at_numbers()})"
             elif not all(each.holds for each in found):
                 yield f"{law.name}: whether it holds for the answers was not decided, neither by algebra nor at numbers"
         except ValueError as error:
@@ -102,9 +100,12 @@ def _unmet(claim: Asserted, known: Known) -> Iterator[str]:
 
 
 def _equality(one: sympy.Expr, other: sympy.Expr, law: Law, known: Known) -> Equality:
-    """By algebra or at the sample points; where functions stood in the law, at these alone."""
-    if is_differential(sides(law)):
-        residual = known.with_asides(one - other)
-        same = holds(put_back(residual, ()), known, letters_in([law], known))
-        return Equality("points", len(known.points)) if same else Equality("differ")
-    return compared(one, other, known)
+    """By algebra or at the sample points; where functions stand in the law, for numbers of what they depend on, too."""
+    if not is_differential(sides(law)):
+        return compared(one, other, known)
+    letters = letters_in([law], known)
+    left, right = (put_back(known.with_asides(side), ()) for side in (one, other))
+    found = identical(left, right, known, letters)
+    if found.how == "undecided" and holds(left - right, known, letters):
+        return Equality("points", len(known.points))  # an integral without a formula
+    return found

@@ -4,16 +4,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
-from itertools import chain
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from itertools import chain, cycle
 from typing import Any, Literal
 
 import sympy
 
 from corollary.derive.known import Known, Point, at, vanishes
 from corollary.formula.ast import Expr
-from corollary.formula.ball import Ball, Undefined, evaluate, precision_of
+from corollary.formula.ball import Ball, RationalPi, Undefined, evaluate, precision_of
 from corollary.formula.from_sympy import NoTree, tree
 
 RESIDUAL = sympy.Float("1e-20")  # of the terms of an equation, each known to 30 digits
@@ -23,7 +24,7 @@ SHARES = (sympy.Rational(1, 3), sympy.Integer(1))
 SHORT = 40  # operations: what sympy simplifies quickly
 PRECISIONS = (128, 1024)  # bits: nearly all that differs does so at the first
 ALIKE = 256  # bits to which two sides agree that the last precision does not tell apart
-SHOWN = 6  # figures of a side that differs; more where these are the same
+LEAST_FIGURES = 6  # figures of a side that differs; more where these are the same
 NO_NUMBERS: Mapping[str, str] = {}
 
 How = Literal["algebra", "points", "differ", "undecided"]
@@ -59,7 +60,13 @@ def compared(one: object, other: object, known: Known) -> Equality:
 
     Numbers come first: what differs at one point needs no algebra, and algebra is believed only where no point contradicts it.
     """
-    left, right = (known.with_asides(sympy.sympify(each)) for each in (one, other))
+    return identical(*(known.with_asides(sympy.sympify(each)) for each in (one, other)), known)
+
+
+def identical(
+    left: sympy.Expr, right: sympy.Expr, known: Known, letters: Collection[sympy.Symbol] = ()
+) -> Equality:
+    """The same of two formulas as they stand; `letters` may have any value, and are given numbers of their own."""
     if left == right:
         return Equality("algebra")
     count = 0
@@ -67,7 +74,7 @@ def compared(one: object, other: object, known: Known) -> Equality:
         trees = tuple(tuple(map(tree, sympy.Add.make_args(side))) for side in (left, right))
     except NoTree:
         trees = ()
-    for point in known.points if trees else ():
+    for point in _with_numbers(known.points, letters) if trees else ():
         found = _at_point(trees, point)
         if isinstance(found, tuple):
             return Equality("differ", 1, point.written, found)
@@ -75,6 +82,20 @@ def compared(one: object, other: object, known: Known) -> Equality:
     if vanishes(left - right):
         return Equality("algebra")
     return Equality("points", count) if count else Equality("undecided")
+
+
+def _with_numbers(points: Sequence[Point], letters: Collection[sympy.Symbol]) -> Iterator[Point]:
+    """The points, each with numbers for letters that may be anything."""
+    if not letters:
+        yield from points
+        return
+    names = sorted(letter.name for letter in letters)
+    for point in points:
+        for share in SHARES:
+            numbers = {name: share * number for name, number in zip(names, cycle(FREE), strict=False)}
+            balls = {name: RationalPi(Fraction(int(each.p), int(each.q))) for name, each in numbers.items()}
+            labels = {name: str(each) for name, each in numbers.items()}
+            yield replace(point, balls={**point.balls, **balls}, written={**point.written, **labels})
 
 
 def _at_point(trees: tuple[tuple[Expr, ...], ...], point: Point) -> bool | tuple[str, str]:
@@ -101,10 +122,14 @@ def _at_point(trees: tuple[tuple[Expr, ...], ...], point: Point) -> bool | tuple
 
 def _both_values(left: Any, right: Any) -> tuple[str, str]:
     """Both values with as many figures as it takes to tell them apart."""
-    figures = SHOWN
-    while (texts := (left.str(figures, radius=False), right.str(figures, radius=False)))[0] == texts[1]:
+    figures = LEAST_FIGURES
+    while (texts := (_text(left, figures), _text(right, figures)))[0] == texts[1]:
         figures += 1
     return texts
+
+
+def _text(value: Any, figures: int) -> str:
+    return "0" if value.contains(0) else value.str(figures, radius=False)
 
 
 def holds(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -172,6 +173,15 @@ def decimal_text(number: Fraction | float, figures: int) -> str:
     if len(digits) > figures:
         digits, power = digits[:-1], power + 1
     return sign + _placed(digits, power)
+
+
+def figures_apart(values: Iterable[Fraction | float], least: int) -> int:
+    """The figures, `least` or as many more as it takes, with which values that differ are written differently."""
+    different = {each for each in values if not isinstance(each, float) or math.isfinite(each)}
+    figures = least
+    while len({decimal_text(each, figures) for each in different}) < len(different):
+        figures += 1
+    return figures
 
 
 def _placed(digits: str, power: int) -> str:

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
 
 from corollary.formula.ast import Name, names
 from corollary.formula.errors import Undefined
-from corollary.formula.numerals import decimal_text, power_of_ten
+from corollary.formula.numerals import decimal_text, figures_apart, power_of_ten
 from corollary.formula.rational_pi import RationalPi
 from corollary.problem.given import Given, decimal_places
 from corollary.problem.problem import Condition, Problem
 from corollary.units.unit import Unit, show
 
 POWER_OF_TEN = re.compile(r"(?<![\w.])(?P<digits>\d+(?:\.\d+)?)e(?P<power>[+-]?\d+)")
+MOST_FIGURES = 6  # of a number with very many decimals
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
@@ -101,7 +103,8 @@ def chosen(problem: Problem, values: Mapping[str, Fraction]) -> Variant:
     variant = Variant(problem, {**chapter(problem).values, **values}, None)
     if (broken := first_broken(variant, hard_only=True)) is not None:
         have = ", ".join(
-            f"{name} = {written(variant, name)}" for name in sorted(names(broken.relation) - {"pi"})
+            f"{name} = {value}"
+            for name, value in written_apart(variant, sorted(names(broken.relation) - {"pi"})).items()
         )
         raise OutOfRange(f"{problem.code} needs {broken.text}, but {have}")
     return variant
@@ -123,12 +126,29 @@ def first_broken(variant: Variant, *, hard_only: bool = False) -> Condition | No
     return None
 
 
-def written(variant: Variant, symbol: str) -> str:
+def written(variant: Variant, symbol: str, most: int = MOST_FIGURES) -> str:
     """A given as a student reads it: number and unit, with as many decimals as its grid has; or its word."""
     given = variant.problem.given(symbol)
     if given.words:
         return number(given, variant.values[symbol])
-    return in_print(with_unit(number(given, variant.values[symbol]), given.unit))
+    return in_print(with_unit(number(given, variant.values[symbol], most), given.unit))
+
+
+def written_apart(variant: Variant, symbols: Iterable[str] | None = None) -> dict[str, str]:
+    """Givens as they are written, but with as many figures as it takes to see which differ; all but those that follow from others
+    when none is named."""
+    named = (
+        [each.symbol for each in variant.problem.givens if not each.source] if symbols is None else symbols
+    )
+    givens = [variant.problem.given(symbol) for symbol in named]
+    exact = variant.exact
+    figures = figures_of([exact[each.symbol] for each in givens if not each.words])
+    return {each.symbol: written(variant, each.symbol, figures) for each in givens}
+
+
+def figures_of(values: Iterable[RationalPi]) -> int:
+    """The figures of numbers with very many decimals, where one sentence holds these values."""
+    return figures_apart([each.ratio * Fraction(math.pi) ** each.pi for each in values], MOST_FIGURES)
 
 
 def in_print(text: str, in_formula: bool = False) -> str:
@@ -149,17 +169,17 @@ def with_unit(number: str, unit: Unit) -> str:
     return number + ("" if symbol in {"", "%", "°"} else "\N{NO-BREAK SPACE}") + symbol
 
 
-def number(given: Given, value: Fraction) -> str:
+def number(given: Given, value: Fraction, most: int = MOST_FIGURES) -> str:
     """The bare number, with the decimals of the given's grid where they suffice; the word of a given that is none."""
     if given.words:
         return given.words[int(value)]
-    return decimals(value, given.places)
+    return decimals(value, given.places, most)
 
 
 @lru_cache(maxsize=4096)
-def decimals(value: Fraction, least: int) -> str:
-    """An exact number with at least so many decimals, and as many as it takes. On a sheet it is written many times, and the
-    next student's is often the same."""
+def decimals(value: Fraction, least: int, most: int = MOST_FIGURES) -> str:
+    """An exact number with at least so many decimals, and as many as it takes; one with very many in `most` figures. On a sheet it is
+    written many times, and the next student's is often the same."""
     places = max(least, decimal_places(value))
     if places > 9 or abs(value) >= 10**7 or 0 < abs(value) < Fraction(1, 10**4):
         counted = (
@@ -169,10 +189,10 @@ def decimals(value: Fraction, least: int) -> str:
         text = next(
             (
                 text
-                for n in range(min(max(figures, 1), 6), 7)
+                for n in range(min(max(figures, 1), most), most + 1)
                 if Fraction(text := decimal_text(value, n)) == value
             ),
-            decimal_text(value, 6),
+            decimal_text(value, most),
         )
         return text.replace("-", "−", 1) if value < 0 else text
     return f"{round(value * 10**places) / 10**places:.{places}f}".replace("-", "−")

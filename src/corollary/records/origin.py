@@ -12,7 +12,9 @@ from pathlib import Path
 
 from corollary.atomic import write_whole
 from corollary.messages import did_you_mean
-from corollary.problem.bank import VARIABLE, Bank, UnknownCode, bank_around, chapter_bank, open_bank
+from corollary.problem.bank import VARIABLE, Bank, UnknownCode, bank_around, chapter_bank, home, open_bank
+from corollary.problem.diagnostic import Malformed
+from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet, file_of_set, find_set, set_names
 from corollary.records.files import Course, NotACourse
 from corollary.records.settings import read_settings
@@ -71,6 +73,23 @@ def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank,
     return bank, find_set(bank, name if is_file or file is None else file, settings.usual)
 
 
+def home_in_course(course: Course, code: str) -> tuple[Bank, Problem] | None:
+    """A problem and its bank, by code or name: the bank that a set was dealt from, of the set generated last that has such a problem,
+    else the course's own. None where none has it. Raises NotACourse and Malformed."""
+    settings = read_settings(course.folder)
+    for path in _records(course):
+        with suppress(NotACourse, UnknownCode):  # a bank that has moved
+            return home(Path(_recorded(course, path.stem)[0].place), code)
+        with suppress(NotACourse, UnknownCode, Malformed):  # a set may take problems of other banks
+            bank, problem_set = set_of(course, path.stem)
+            for each in problem_set.problems:
+                if code == each.name or code.lower() == each.code.lower():
+                    return bank, each
+    with suppress(UnknownCode):
+        return home(Path(settings.bank), code) if settings.bank else None
+    return None
+
+
 def _check_is_there(course: Course, set_name: str, bank: Bank, file: str | None) -> None:
     """Raise UnknownCode where the set is no longer where the record says. An earlier version forgot the file of a set that
     was generated again by its name alone."""
@@ -116,10 +135,15 @@ def _recorded_file(course: Course, set_name: str) -> str | None:
 def _of_other_sets(course: Course, set_name: str, otherwise: Bank) -> Bank:
     """The bank of the set generated last of those whose bank has this one too; else that of the very last."""
     banks = list[Bank]()
-    for path in sorted(_origin(course, "any").parent.glob("*.json"), key=_age, reverse=True):
+    for path in _records(course):
         with suppress(NotACourse, UnknownCode):  # it has moved: another one may have the set
             banks.append(_recorded(course, path.stem)[0])
     return next((bank for bank in banks if set_name in set_names(bank)), next(iter(banks), otherwise))
+
+
+def _records(course: Course) -> list[Path]:
+    """Of every set, that of the one generated last first."""
+    return sorted(_origin(course, "any").parent.glob("*.json"), key=_age, reverse=True)
 
 
 def _age(path: Path) -> float:

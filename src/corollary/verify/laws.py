@@ -9,7 +9,7 @@ from corollary.formula.errors import ParseError, sentence
 from corollary.formula.operators import measured
 from corollary.problem.bank import Bank
 from corollary.problem.sampling import sample
-from corollary.problem.variant import chapter
+from corollary.problem.variant import chapter, written_apart
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.verify.checked import Tally
 
@@ -34,7 +34,7 @@ def check_cases(bank: Bank, solution: Solution, tally: Tally) -> None:
         found = solution.regimes_at(variant.exact)
         if not tally.check(len(found) == 1, "cases"):
             which = " and ".join(repr(each.text) for each in found) or "no case"
-            numbers = ", ".join(f"{name} = {float(value):g}" for name, value in variant.values.items())
+            numbers = ", ".join(f"{name} = {value}" for name, value in written_apart(variant).items())
             tally.complain(
                 f"{path}:{line}: {which} holds for {variant.label} ({numbers}); mend the conditions, so that exactly one does"
             )

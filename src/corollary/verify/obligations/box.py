@@ -18,7 +18,7 @@ from corollary.formula.rational_pi import RationalPi
 from corollary.problem.given import Given
 from corollary.problem.interval_filter import GivenAtPoints, Interval, holding
 from corollary.problem.problem import Problem
-from corollary.problem.variant import number
+from corollary.problem.variant import figures_of, number
 
 PI = (Fraction(314159265358979, 10**14), Fraction(314159265358980, 10**14))
 MOST_VALUES = 1_000_000  # of one given: a grid that is finer is not walked
@@ -123,8 +123,11 @@ class Box:
 
     def written(self, places: Mapping[str, int]) -> dict[str, str]:
         """A point in the units of the givens."""
+        figures = figures_of(self.axes[name].exact[place] for name, place in places.items())
         return {
-            name: number(self.axes[name].given, self.axes[name].given.grid[self.axes[name].order[place]])
+            name: number(
+                self.axes[name].given, self.axes[name].given.grid[self.axes[name].order[place]], figures
+            )
             for name, place in places.items()
         }
 

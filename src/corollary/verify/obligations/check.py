@@ -31,13 +31,12 @@ def _as_put_back(each: Settled, put_back: Sequence[PutBack]) -> Settled:
     broken = next((one for one in here if one.how == "differ"), None)
     if broken is not None:
         return Settled(each.kind, each.claim, each.line, "counter-example", "a point", broken.at)
-    if each.outcome == "proven" and any(one.how in ("points", "undecided") for one in here):
-        by = (
-            "no algebra decides it, it holds at points"
-            if all(one.how != "undecided" for one in here)
-            else "nothing decides it"
+    if each.outcome in ("proven", "sampled") and any(one.how == "undecided" for one in here):
+        return Settled(each.kind, each.claim, each.line, "undecided", "neither algebra nor numbers decide it")
+    if each.outcome == "proven" and any(one.how == "points" for one in here):
+        return Settled(
+            each.kind, each.claim, each.line, "sampled", "no algebra decides it, it holds at points"
         )
-        return Settled(each.kind, each.claim, each.line, "sampled", by)
     return each
 
 
