@@ -146,6 +146,12 @@ def test_half_a_surrogate_pair_does_not_keep_a_page_from_being_written(of, work)
     feedback_page(torn, of).encode()
 
 
+def test_letters_that_no_page_may_hold_are_replaced(of, work):
+    text = feedback_page(replace(work, trouble="a\0b\x1b[2Jc\x85d"), of)
+    assert "a\ufffdb\ufffd[2Jc\ufffdd" in text
+    assert not set(text) & set(map(chr, (*range(9), 11, *range(14, 32), *range(127, 160))))
+
+
 def test_a_comment_is_read_as_markdown_with_formulas_and_its_lines_stay(of, work):
     part = next(iter(record_of(work, "").parts))
     comment = "Name the **frame**: $p = m v$.\nThen <b>add</b> $\\frac{$."

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import re
 from functools import lru_cache
 from importlib.resources import files
 
@@ -18,6 +19,7 @@ from corollary.render.markdown import html, inline
 from corollary.render.wording import earned, percent, points, points_earned
 
 _ = catalogue(__name__)
+CONTROLS = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f-\x9f]")  # no page of HTML may hold them, as an answer may
 
 
 def page(
@@ -36,14 +38,14 @@ def page(
     but that a page which `sends` may answer the server that it came from, and one that `loads` may run the files beside it and
     Python in WebAssembly.
     """
-    body = environment().get_template(template).render(**facts)
+    body = CONTROLS.sub("\ufffd", environment().get_template(template).render(**facts))
     style = _style("<math" in body)
     program = "".join(map(_text, (script,) if isinstance(script, str) else script))
     whole = (
         environment()
         .get_template("page.html")
         .render(
-            title=title,
+            title=CONTROLS.sub("\ufffd", title),
             lang=lang,
             body=Markup(body),
             policy=_policy(style, program, loads) + ("; connect-src 'self'" if sends else ""),
