@@ -129,7 +129,7 @@ class Unclear:
 
     why: str
     as_read: str
-    readings: tuple[Numbers | Formulas, ...] = ()
+    readings: tuple[Numbers | Formulas | Letter, ...] = ()
     benefit: bool = False
     near: tuple[Letter, ...] = ()
 

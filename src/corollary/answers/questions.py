@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 from corollary.answers.question import Question, Symbol
 from corollary.answers.registry import BUILT_IN, answer_type, known
@@ -11,6 +12,8 @@ from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
+from corollary.problem.statement import HOLE, filled
+from corollary.problem.variant import Variant
 
 SIGNATURE = re.compile(r"[A-Za-z_]\w*\([\w\s,]*\)$")
 
@@ -33,6 +36,14 @@ def question_of(problem: Problem, part: Part) -> Question:
         part.columns,
         part.column_units,
     )
+
+
+def question_in(variant: Variant, part: Part) -> Question:
+    """The same as a student reads it: the options with the numbers of the variant."""
+    question = question_of(variant.problem, part)
+    if not any(HOLE.search(text) for text in question.option_texts):
+        return question
+    return replace(question, option_texts=tuple(filled(text, variant) for text in question.option_texts))
 
 
 # By identity: every part of every student's sheet asks for them. What they are made of is held, so that its id stays its own.

@@ -25,6 +25,16 @@ def main_spelling(text: str) -> str:
     return text.partition(MARK)[0].strip()
 
 
+def spelled_alike(words: Mapping[str, str]) -> tuple[str, str] | None:
+    """The letters of two words that share a way to write them, if there are any."""
+    seen: dict[str, str] = {}
+    for letter, word in words.items():
+        for way in map(bare, word.split(MARK)):
+            if (first := seen.setdefault(way, letter)) != letter:
+                return first, letter
+    return None
+
+
 def words_met(text: str, words: Mapping[str, str]) -> WordsMet:
     """What a text is among words, each with its letter and the ways to write it; none of a text that is near none of them."""
     typed = bare(text)

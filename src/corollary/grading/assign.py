@@ -6,8 +6,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice, product
 
+from corollary.answers.choice.option_text import alike
 from corollary.answers.evaluation import balls
 from corollary.answers.expected import Values
+from corollary.answers.questions import question_in
+from corollary.answers.registry import answer_type
+from corollary.answers.spellings import spelled_alike
 from corollary.answers.tolerance import within
 from corollary.derive.solution import Rule, Solution, once
 from corollary.derive.statements import Mistake
@@ -15,6 +19,7 @@ from corollary.formula.ball import RationalPi, Undefined, holds
 from corollary.grading.key import Key, make_key, named
 from corollary.grading.replay import WhatIf, ancestors, exchanged, letters_of, replay
 from corollary.grading.rounding import MOST
+from corollary.problem.part import Part
 from corollary.problem.sampling import draws, sample
 from corollary.problem.variant import Variant, chapter, first_broken
 from corollary.units.unit import show
@@ -75,6 +80,7 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
     """The key of a variant that may be assigned, or None and why it may not."""
     try:
         key = make_key(solution, variant)
+        same = next(options_alike(variant), None)
     except Undefined as error:
         return None, f"an answer does not exist: {error}"
     for part, truth in key.truths.items():
@@ -85,11 +91,27 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
             )
         if truth.scale == 0:
             return None, f"part {part}: the answer is zero, and nothing says compared with what"
+    if same is not None:
+        part, one, other = same
+        return None, f"part {part}: options {one} and {other} print alike"
     for part, number in implausible(key):
         return None, f"part {part}: {number} is not plausible"
     for part, text in collisions(key):
         return None, f"part {part}: the mistake {text!r} cannot be told from the truth"
     return key, ""
+
+
+def options_alike(variant: Variant, parts: Iterable[Part] | None = None) -> Iterator[tuple[str, str, str]]:
+    """The parts with two options that print alike with these numbers, and the marks of these options. Raises Undefined where an
+    option has no value."""
+    for part in variant.problem.parts if parts is None else parts:
+        if not part.options:
+            continue
+        question = question_in(variant, part)
+        texts = dict(zip(question.options, question.option_texts, strict=True))
+        if found := alike(texts) if answer_type(part.answer_type).shows_letters else spelled_alike(texts):
+            one, other = found
+            yield part.id, one.upper(), other.upper()
 
 
 def implausible(key: Key) -> Iterable[tuple[str, str]]:

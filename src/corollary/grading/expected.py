@@ -19,7 +19,7 @@ from corollary.answers.expected import (
     RightOption,
     Values,
 )
-from corollary.answers.questions import question_of
+from corollary.answers.questions import question_in
 from corollary.answers.verdict import Verdict
 from corollary.derive.solution import AppliedLaw
 from corollary.derive.statements import Explain
@@ -49,7 +49,7 @@ def expected_of(
     truth = key.truths.get(part.id)
     letter = key.choices.get(part.id)
     return Expected(
-        question_of(replace(key.variant.problem, renamed=()), part),
+        question_in(replace(key.variant, problem=replace(key.variant.problem, renamed=())), part),
         None if truth is None else _quantity(key, truth, earlier or {}),
         None if letter is None else RightOption(letter, _overlooked(key, part)),
         _requirement(key, part.id) if part.id in key.solution.examples else None,

@@ -11,7 +11,7 @@ from corollary.answers.answer import Answer, Blank, Entries, Formulas, Numbers, 
 from corollary.answers.expected import Expected, Values
 from corollary.answers.judge_formulas import values_of
 from corollary.answers.letters import in_letters
-from corollary.answers.questions import question_of
+from corollary.answers.questions import question_in
 from corollary.answers.registry import BUILT_IN, answer_type, judging
 from corollary.answers.verdict import Follows, Right, Slip, Unmarked, Unread, Verdict
 from corollary.formula.value import Nothing, Value
@@ -22,7 +22,7 @@ from corollary.grading.key import Key
 from corollary.guard import Failure, guarded
 from corollary.messages import catalogue
 from corollary.problem.part import Part
-from corollary.problem.problem import Problem
+from corollary.problem.variant import Variant
 
 if TYPE_CHECKING:  # programs are not run in a browser, where this judges, too
     from corollary.grading.program_run import ProgramRun
@@ -81,7 +81,7 @@ def _of_part(
     """The verdicts of one part, and how its answer was read."""
     expected = expected_of(key, part, so_far.values, on_runs())
     try:
-        answer = read(part, value, expected, key.variant.problem)
+        answer = read(part, value, expected, key.variant)
         verdicts = tuple(verdict_on(name, answer, expected) for name in part.answer_types)
     except (
         Exception
@@ -108,16 +108,16 @@ def _on_runs(
     return verdicts_on_runs(key.solution, key.variant, part, run, secret, student)
 
 
-def read(part: Part, value: Value, expected: Expected, problem: Problem) -> Answer:
+def read(part: Part, value: Value, expected: Expected, variant: Variant) -> Answer:
     """The answer to a part, in the letters of today; of a function or a figure its signature, for it is judged by what it does
     when run."""
     its_type = answer_type(part.answer_type)
     if its_type.found_in in ("function", "figure"):
         return Prose(part.signature)
-    if not problem.renamed:
+    if not variant.problem.renamed:
         return its_type.read(value, expected.question)
-    meant = {asked: today for today, asked in problem.renamed}
-    return in_letters(its_type.read(value, question_of(problem, part)), meant)
+    meant = {asked: today for today, asked in variant.problem.renamed}
+    return in_letters(its_type.read(value, question_in(variant, part)), meant)
 
 
 def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:

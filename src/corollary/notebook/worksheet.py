@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.question import Question
-from corollary.answers.questions import checked, question_of
+from corollary.answers.questions import checked, question_in
 from corollary.answers.registry import answer_type
 from corollary.problem.figure import drawn
 from corollary.problem.part import Option, Part
@@ -100,7 +100,7 @@ def exercise(variant: Variant, weight: float = 1.0) -> Exercise:
             part.points * weight,
         )
         for part in problem.parts
-        for question in [question_of(problem, part)]
+        for question in [question_in(variant, part)]
     )
     figure = drawn(variant)
     return Exercise(variant, filled(problem.statement, variant), figure.svg, figure.alt, prompts)

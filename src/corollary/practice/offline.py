@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from corollary.answers.preview import Preview
-from corollary.answers.questions import question_of
+from corollary.answers.questions import question_in
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Follows, Right, Unmarked, Unread, Verdict
 from corollary.derive.solution import SceneOutcome
@@ -44,7 +44,7 @@ class Offline:
         """How an answer is read, never whether it is right."""
         problem = self.key.variant.problem
         part = problem.part(name)
-        return answer_type(part.answer_type).preview(from_json(answer), question_of(problem, part))
+        return answer_type(part.answer_type).preview(from_json(answer), question_in(self.key.variant, part))
 
     def verdict(self, name: str, answers: Mapping[str, Answer]) -> Verdict:
         """On a part that is judged here, with the others' answers to carry on from."""

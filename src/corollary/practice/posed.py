@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from corollary.answers.preview import Preview
-from corollary.answers.questions import question_of
+from corollary.answers.questions import question_in
 from corollary.answers.registry import answer_type
 from corollary.grading.from_json import from_json
 from corollary.grading.grade import PartGrade
@@ -45,7 +45,7 @@ class Posed:
         """How an answer is read, never whether it is right; nothing is run."""
         part = self.part(name)
         its_type = answer_type(part.answer_type)
-        return its_type.preview(from_json(answer), question_of(self.exercise.problem, part))
+        return its_type.preview(from_json(answer), question_in(self.exercise.variant, part))
 
     def judged(self, name: str, answers: Mapping[str, Answer]) -> PartGrade:
         """What one part earns, with the others' answers to carry on from; only its own program is run, in isolation."""

@@ -9,13 +9,14 @@ from corollary.answers.answer import Answer, Entries, Letter, Numbers, Unclear
 from corollary.answers.expected import Values
 from corollary.answers.numbers import scalar
 from corollary.answers.options import option_named
-from corollary.answers.questions import question_of
+from corollary.answers.questions import question_in
 from corollary.answers.registry import answer_type
 from corollary.answers.vectors import vector
 from corollary.formula.value import Text
 from corollary.grading.key import Key
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
+from corollary.problem.variant import chapter
 from corollary.units.unit import Unit, show
 from corollary.verify.checked import Tally
 
@@ -85,7 +86,7 @@ def foreseen(problem: Problem, part: Part, expected: str) -> Values | None:
 
 def _read(problem: Problem, part: Part, expected: str) -> Answer:
     """As a student's answer is read; of a formula the value."""
-    question, its_type = question_of(problem, part), answer_type(part.answer_type)
+    question, its_type = question_in(chapter(problem), part), answer_type(part.answer_type)
     if not its_type.in_symbols:
         return its_type.read(Text(expected), question)
     return vector(Text(expected), question) if part.components else scalar(Text(expected), question)

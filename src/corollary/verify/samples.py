@@ -5,7 +5,7 @@ from __future__ import annotations
 from corollary.answers.evaluation import number
 from corollary.answers.proof.argument import sufficient
 from corollary.answers.proof.judging import grounds_of
-from corollary.answers.questions import question_of
+from corollary.answers.questions import question_in
 from corollary.answers.registry import answer_type, judging
 from corollary.answers.sample import Sample, Truth
 from corollary.answers.verdict import described, word
@@ -52,7 +52,7 @@ def check_claims(key: Key, tally: Tally) -> None:
 def samples(key: Key, part: Part) -> tuple[Sample, ...]:
     """What the part's answer type makes of its truth; programs and figures have theirs run elsewhere."""
     truth = _truth(key, part)
-    question = question_of(key.variant.problem, part)
+    question = question_in(key.variant, part)
     return () if truth is None else tuple(judging(part.answer_type).samples(truth, question))
 
 

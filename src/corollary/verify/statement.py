@@ -10,7 +10,7 @@ from html import unescape
 
 from corollary.answers.equality import Equal, compare
 from corollary.answers.formula import formula
-from corollary.answers.questions import question_of
+from corollary.answers.questions import question_in
 from corollary.answers.registry import answer_type
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Relation, walk
 from corollary.formula.errors import ParseError, Undefined
@@ -131,7 +131,7 @@ def _formula_leaked(key: Key, part: Part, text: str) -> str:
     trees = key.find(key.truths[part.id]).in_givens
     if trees is None:
         return ""
-    question = question_of(key.variant.problem, part)
+    question = question_in(key.variant, part)
     for written_there in _formulas(text):
         for side in re.split(r"=|≈|:", written_there)[-2:]:
             read = formula(side, question) if side.strip() else None

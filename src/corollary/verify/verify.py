@@ -22,6 +22,7 @@ from corollary.verify.hidden_mistakes import check_hidden_mistakes
 from corollary.verify.laws import check_cases, check_dimensions, check_laws
 from corollary.verify.mutation.score import DRAWS, Played, score
 from corollary.verify.obligations.check import check_obligations
+from corollary.verify.options import check_options
 from corollary.verify.printed import check_printed
 from corollary.verify.programs import check_programs
 from corollary.verify.question_text import check_question
@@ -79,6 +80,7 @@ class Verification:
             check_samples(own, tally)
             check_printed(bank, solution, tally)
             check_expected(own, tally)
+            check_options(problem, tally)
             remark(bank, solution, own, tally)
             check_hidden_mistakes(bank, solution, tally)
             for stage in SLOW:

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import re
-import unicodedata
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import final
 
 from corollary.answers.answer import Answer, Blank, Letter, Unclear
 from corollary.answers.answer_type import AnswerType
+from corollary.answers.choice.option_text import folded, plain
 from corollary.answers.numbers import PLACEHOLDERS, turned_away
 from corollary.answers.question import Question
 from corollary.formula.by_hand import by_hand
-from corollary.formula.characters import legible
 from corollary.formula.numerals import TO_ASCII
 from corollary.formula.value import Items, Nothing, Refused, Text, Value
 from corollary.messages import catalogue
@@ -35,7 +34,7 @@ LABEL = re.compile(
     re.IGNORECASE,
 )
 LABEL_BEHIND = re.compile(r"\s*[\[(](?P<letter>[A-Za-z])[\])]\s*$")
-CLAUSE, COMMAND = re.compile(r"[:;,.]"), re.compile(r"\\[A-Za-z]+")
+CLAUSE = re.compile(r"[:;]|[,.](?!\d)|(?<!\d)[,.]")
 
 
 @final
@@ -60,14 +59,22 @@ class ChoiceType(AnswerType):
                 return Blank()
             case Text(text) if text.strip() in PLACEHOLDERS:
                 return Blank()
-            case Text(text) if len(text) <= LONGEST and (letter := _by_its_words(text, question)):
-                return Letter(letter, f"({letter})")
-            case Text(text):
-                bare = _without_reason(text, question.options) if len(text) <= LONGEST else ""
-                found = LETTER.fullmatch(by_hand(bare).translate(TO_ASCII))
-                if found and (letter := found["letter"].lower()) in question.options:
-                    return Letter(letter, f"({letter.upper()})")
+            case Text(text) if len(text) > LONGEST:
                 return Unclear(wanted, text.strip()[:40])
+            case Text(text):
+                meant = _by_its_words(text, question)
+                if meant is None:
+                    return Unclear(
+                        _("the letter and the words are those of two options: {wanted}", wanted=wanted),
+                        text.strip()[:40],
+                    )
+                found = LETTER.fullmatch(by_hand(_without_reason(text, question.options)).translate(TO_ASCII))
+                letter = found["letter"].lower() if found else ""
+                if letter not in question.options:
+                    return Letter(meant, f"({meant})") if meant else Unclear(wanted, text.strip()[:40])
+                if meant not in ("", letter) and _bare_letter(text, question, meant):
+                    return _two_meanings(letter, meant)
+                return Letter(letter, f"({letter.upper()})")
             case Refused():
                 return turned_away(value)
             case _:
@@ -82,32 +89,54 @@ def _without_reason(text: str, options: Sequence[str]) -> str:
     return letter if reason and not named else text
 
 
-def _by_its_words(text: str, question: Question) -> str:
-    """The letter of the option whose words were copied, alone or with its letter: all of them, or all up to a mark; else ""."""
+def _bare_letter(text: str, question: Question, meant: str) -> bool:
+    """Whether a letter stands alone that is the text of another option, too. `A` is not the text `a`: it is how letters are printed."""
+    alone = text.strip()
+    printed = question.option_texts[question.options.index(meant)]
+    return len(alone) == 1 and (alone.islower() or plain(alone) == plain(printed))
+
+
+def _two_meanings(letter: str, meant: str) -> Unclear:
+    mark, other = letter.upper(), meant.upper()
+    why = _(
+        "\u201c{mark}\u201d is the letter of one option and the text of another: write ({mark}) or ({other}), in brackets",
+        mark=mark,
+        other=other,
+    )
+    return Unclear(why, mark, (Letter(letter, f"({mark})"), Letter(meant, f"({other})")))
+
+
+def _by_its_words(text: str, question: Question) -> str | None:
+    """The letter of the option whose words were copied, alone or with its letter: all of them, or all up to a mark; else "".
+    None where letter and words are those of two options."""
     label = LABEL.match(text) or LABEL_BEHIND.search(text)
     letter = (label["letter"] or label["word"]).lower() if label else ""
-    options = dict(zip(question.options, map(_bare, question.option_texts), strict=True))
+    options = dict(zip(question.options, question.option_texts, strict=True))
     if label and letter in options:
-        words = _bare(text[: label.start()] + text[label.end() :])
-        return letter if words and options[letter].startswith(words) else ""
-    words = _bare(text)
-    same = [each for each, option in options.items() if words == option]
-    if not same:
-        begun = zip(question.options, question.option_texts, strict=True)
-        starts = {
-            (each, _bare(option[: mark.start()]))
-            for each, option in begun
-            for mark in CLAUSE.finditer(option)
-        }
-        same = [each for each, start in starts if words == start]
-    return same[0] if words and len(same) == 1 else ""
+        words = text[: label.start()] + text[label.end() :]
+        if _copied(words, options) not in ("", letter):
+            return None
+        return letter if plain(words) and folded(options[letter]).startswith(folded(words)) else ""
+    if same := _copied(text, options):
+        return same
+    starts = {
+        (each, folded(option[: mark.start()]))
+        for each, option in options.items()
+        for mark in CLAUSE.finditer(option)
+    }
+    begun = [each for each, start in starts if folded(text) == start]
+    return begun[0] if plain(text) and len(begun) == 1 else ""
 
 
-def _bare(text: str) -> str:
-    """Letters, digits and signs that mean something, without TeX, accents and spaces."""
-    text = COMMAND.sub("", legible(text).replace("\\le ", "≤").replace("\\ge ", "≥"))
-    apart = unicodedata.normalize("NFKD", text).lower()
-    return re.sub(r"[^a-z0-9<>≤≥=+-]", "", apart).removeprefix("the")
+def _copied(text: str, options: Mapping[str, str]) -> str:
+    """The letter of the one option of just this text; capitals tell where small letters alone do not."""
+    for key in (plain, folded) if not re.search(r"\d", text) else (plain,):
+        same = [each for each, option in options.items() if key(option) == key(text)]
+        if key(text) and len(same) == 1:
+            return same[0]
+        if same:
+            break
+    return ""
 
 
 TYPE = ChoiceType()
