@@ -65,7 +65,7 @@ def predictions(name: str, bank: Bank, problem: Problem) -> list[Prediction]:
     laws = [id(law) for law, _ in scoring._laws(scoring.load_once(bank, solution))]  # pyright: ignore[reportPrivateUsage]
     counts = Counter[int]()
     found: list[Prediction] = []
-    for each in scoring._tried(bank, solution, own, played):  # pyright: ignore[reportPrivateUsage]
+    for each in scoring._tried(bank, solution, scoring._checks(bank, solution, own, played)):  # pyright: ignore[reportPrivateUsage]
         law = laws.index(id(each.law))
         found.append(Prediction(name, problem.code, law, counts[law], each.by, each.bend.text))
         counts[law] += 1

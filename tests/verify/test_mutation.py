@@ -223,3 +223,17 @@ def test_what_holds_derivatives_is_undecided_and_stops_nothing(checked):
     found = checked(claims=balance)
     assert found.complaints == ()
     assert found.mutation.bends > 0
+
+
+def test_laws_that_are_not_tried_are_named_and_not_counted(checked):
+    """A wrong sign under an integral is said to be checked by nothing, not to be noticed."""
+    plain = checked()
+    found = checked(velocity="v = int(a, x, 0, t)")
+    assert found.complaints == ()
+    assert plain.mutation.untried == ()
+    assert found.mutation.undecided > 0
+    (untried,) = found.mutation.untried
+    assert untried.startswith("sledge.py:")
+    assert untried.endswith(": Velocity")
+    assert any("only dimensions check the signs in " + untried in line for line in found.mutation.lines)
+    assert not [each for each in found.mutation.unnoticed if each.law == "Velocity"]

@@ -109,6 +109,15 @@ class Checks:
         }
         self.key = key
         self.runs: dict[tuple[float, ...], bool] = {}
+        # made once, for thousands of bends ask for the same; what the numbers stand for is kept, so that none is mistaken
+        self.confirmed = {
+            id(law): applied(law).here
+            for each in case.entries
+            if isinstance(each, Confirm)
+            for law in each.laws
+        }
+        self.held: dict[int, tuple[Sequence[Relation], NumericEquations | None]] = {}
+        self.tried: dict[tuple[int, int], list[tuple[MutationSpot, dict[str, Evaluation], float]]] = {}
 
     def equations(self, found: FindInDoubles, laws: Laws) -> NumericEquations:
         """The equations of a step, with bent laws in the places of theirs."""
@@ -216,12 +225,12 @@ class Checks:
                 assert isinstance(found.entry, Step)
                 stated = next(each for each in found.entry.routes if each.line == route.stated.line)
                 for law, own in zip(stated.laws, route.stated.laws, strict=True):
-                    if not _holds(laws.get(id(law), own.here), now, spot):
+                    if not self._holds(laws.get(id(law), own.here), now, spot):
                         return "route"
         for entry in self.case.entries:
             if isinstance(entry, Confirm):
                 for law in entry.laws:
-                    if not _holds(laws.get(id(law)) or applied(law).here, now, spot):
+                    if not self._holds(laws.get(id(law)) or self.confirmed[id(law)], now, spot):
                         return "confirm"
             elif isinstance(entry, Forces) and not self._balanced(entry, laws, spot):
                 return "forces"
@@ -239,8 +248,10 @@ class Checks:
         slope = self.case.solution.problem.part(entry.statement.part).slope
         try:
             for balance in entry.balances:
+                if id(balance.law) not in laws:
+                    continue
                 total = ready(sum_along(entry, balance.way, slope), DOUBLES)(spot.letters)
-                for relation in laws.get(id(balance.law), ()):
+                for relation in laws[id(balance.law)]:
                     left, right = (
                         ready(side, DOUBLES)(spot.letters) for side in (relation.left, relation.right)
                     )
@@ -263,22 +274,8 @@ class Checks:
         self, claim: Special | Limit, steps: Mapping[int, NumericEquations], spot: MutationSpot
     ) -> bool | None:
         """Whether a claim is met, tried in numbers; None where that cannot be said, or the true values do not meet it."""
-        try:
-            tried = (
-                _special(claim, spot, self.case)
-                if isinstance(claim, Special)
-                else _limit(claim, spot, self.case)
-            )
-        except (NoTree, NotAvailable, *FAILURES):
-            return None
-        for there, wanted, allowed in tried:
-            true = spot_at(there, self.case.every)
-            if true is None:
-                continue
+        for true, wanted, allowed in self._attempts(claim, spot):
             try:
-                targets = {name: each(true.letters) for name, each in wanted.items()}
-                if any(off(true.letters[name], value) > allowed / 10 for name, value in targets.items()):
-                    continue
                 now = bent_values(self.case.every, steps, true)
                 bent = {name: each(now.letters) for name, each in wanted.items()}
             except Contradicted:
@@ -289,6 +286,43 @@ class Checks:
                 continue
             return not any(off(now.letters[name], value) > allowed for name, value in bent.items())
         return None
+
+    def _attempts(
+        self, claim: Special | Limit, spot: MutationSpot
+    ) -> list[tuple[MutationSpot, dict[str, Evaluation], float]]:
+        """Where a claim can be tried: the true values there, which meet it, what letters must be, and how far off they may be."""
+        memo = id(claim), id(spot)
+        if memo not in self.tried:
+            self.tried[memo] = found = []
+            try:
+                attempts = (
+                    _special(claim, spot, self.case)
+                    if isinstance(claim, Special)
+                    else _limit(claim, spot, self.case)
+                )
+            except (NoTree, NotAvailable, *FAILURES):
+                return found
+            for there, wanted, allowed in attempts:
+                true = spot_at(there, self.case.every)
+                if true is not None and _met(true, wanted, allowed / 10):
+                    found.append((true, wanted, allowed))
+        return self.tried[memo]
+
+    def _holds(self, here: Sequence[Relation], now: BentValues, spot: MutationSpot) -> bool:
+        """Whether equations hold at the bent values, as far as it can be said: what does not hold at the true ones says nothing."""
+        if id(here) not in self.held:
+            try:
+                self.held[id(here)] = here, NumericEquations(here, ())
+            except NotAvailable:
+                self.held[id(here)] = here, None
+        equations = self.held[id(here)][1]
+        if (
+            equations is None
+            or equations.letters & now.unknown
+            or not equations.letters <= now.letters.keys()
+        ):
+            return True
+        return equations.hold(now.letters) or not equations.hold(spot.letters)
 
     def _coinciding(self, bent: Sequence[BentValues], steps: Mapping[int, NumericEquations]) -> str:
         """Whether nearly no draw could be dealt: on all that are tried a mistake is the truth, or an answer is nothing or absurd."""
@@ -446,15 +480,12 @@ def _true(spot: MutationSpot, found: FindInDoubles) -> Values:
     return tuple(spot.letters[name] for name in found.find.names)
 
 
-def _holds(here: Sequence[Relation], now: BentValues, spot: MutationSpot) -> bool:
-    """Whether equations hold at the bent values, as far as it can be said: what does not hold at the true ones either says nothing."""
+def _met(spot: MutationSpot, wanted: Mapping[str, Evaluation], within: float) -> bool:
+    """Whether letters are what they must be."""
     try:
-        equations = NumericEquations(here, ())
-    except NotAvailable:
-        return True
-    if equations.letters & now.unknown or not equations.letters <= now.letters.keys():
-        return True
-    return equations.hold(now.letters) or not equations.hold(spot.letters)
+        return all(off(spot.letters[name], value(spot.letters)) <= within for name, value in wanted.items())
+    except FAILURES:
+        return False
 
 
 def _same_scene(one: Simulation, other: Simulation) -> bool:

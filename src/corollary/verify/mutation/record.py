@@ -23,7 +23,7 @@ class Unnoticed:
 @dataclass(frozen=True, slots=True)
 class MutationScore:
     """`by` counts the noticed bends by the first check that would fail; `undecided` are bends of laws that are not solved in
-    numbers; `proposal` is a line that would catch `caught` of the unnoticed."""
+    numbers, and `untried` those laws with file and line; `proposal` is a line that would catch `caught` of the unnoticed."""
 
     bends: int
     noticed: int
@@ -32,6 +32,7 @@ class MutationScore:
     undecided: int = 0
     proposal: str = ""
     caught: int = 0
+    untried: tuple[str, ...] = ()
 
     @property
     def sentence(self) -> str:
@@ -53,6 +54,10 @@ class MutationScore:
             found.append(f"  not noticed in {law}: {'; '.join(several[:LISTED])}{more}")
         if len(laws) > MOST_LAWS:
             found.append(f"  and in {len(laws) - MOST_LAWS} more laws: --json has all")
+        if self.untried:
+            more = f" and {len(self.untried) - LISTED} more" if len(self.untried) > LISTED else ""
+            laws_not_tried = "; ".join(self.untried[:LISTED])
+            found.append(f"  only dimensions check the signs in {laws_not_tried}{more}: read them once more")
         if self.proposal:
             found.append(f"  {self.proposal} would notice {self.caught} of {len(self.unnoticed)}")
         return found
@@ -63,5 +68,5 @@ def from_data(data: Mapping[str, Any] | None) -> MutationScore | None:
     if data is None:
         return None
     unnoticed: Any = tuple(Unnoticed(**each) for each in data["unnoticed"])
-    content: dict[str, Any] = {**data, "unnoticed": unnoticed}
+    content: dict[str, Any] = {**data, "unnoticed": unnoticed, "untried": tuple(data.get("untried", ()))}
     return MutationScore(**content)

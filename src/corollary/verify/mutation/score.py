@@ -46,12 +46,13 @@ class BentLaw:
 def score(bank: Bank, solution: Solution, own: Key, played: Played) -> MutationScore:
     """The score of a problem whose derivation is solved; `own` is the key of the printed numbers, `played` has the keys of draws
     with the scenes that were run for them."""
-    every = list(_tried(bank, solution, own, played))
+    checks = _checks(bank, solution, own, played)
+    every = list(_tried(bank, solution, checks))
     counted = [each for each in every if each.by not in ("same", "undecided")]
     by = Counter(each.by for each in counted if each.by)
     file = bank.solution(solution.problem).name
     unnoticed = [each for each in counted if not each.by]
-    proposal, caught = proposed(_checks(bank, solution, own, played), [each.laws for each in unnoticed])
+    proposal, caught = proposed(checks, [each.laws for each in unnoticed])
     return MutationScore(
         len(counted),
         sum(by.values()),
@@ -62,11 +63,13 @@ def score(bank: Bank, solution: Solution, own: Key, played: Played) -> MutationS
         sum(each.by == "undecided" for each in every),
         proposal,
         caught,
+        tuple(
+            dict.fromkeys(f"{file}:{each.line}: {each.law.name}" for each in every if each.by == "undecided")
+        ),
     )
 
 
-def _tried(bank: Bank, solution: Solution, own: Key, played: Played) -> Iterator[BentLaw]:
-    checks = _checks(bank, solution, own, played)
+def _tried(bank: Bank, solution: Solution, checks: Sequence[Checks]) -> Iterator[BentLaw]:
     dimensions = _dimensions(solution)
     for law, line in _laws(load_once(bank, solution)):
         for bend in filter(writable, bends(law)):
