@@ -37,7 +37,8 @@ SOLUTIONS = {
     "raising": (SOLUTION.replace("BEFORE", "1/0"), "raising.py:5: derive fails: ZeroDivisionError"),
     "recursive": (SOLUTION.replace("BEFORE", "f = lambda: f(); f()"), "recursive.py:5: derive fails: RecursionError"),
     "exiting": ("import sys; sys.exit(3)\n" + SOLUTION, "exiting.py:1: cannot be loaded: SystemExit"),
-    "leaving": (SOLUTION.replace("BEFORE", "__import__('os')._exit(3)"), "leaving.py:1: ends the process that verifies it"),
+    "leaving": (SOLUTION.replace("BEFORE", "__import__('os')._exit(3)"), "leaving.py:5: derive fails: SystemExit: it would end the program (status 3)"),
+    "killed": ("import os, signal\nos.kill(os.getpid(), signal.SIGKILL)\n" + SOLUTION, "killed.py:1: ends the process that verifies it"),
     "strange": (SOLUTION.replace("BEFORE", "class Odd(BaseException): pass\n    raise Odd"), "strange.py:6: derive fails: Odd"),
     "not_utf": (SOLUTION.replace("Def.", "Größe").encode("latin-1"), "not_utf.py:6: is not Python"),
     "stranger": (SOLUTION.replace("step(p,", "step('p',"), "stranger.py:6: part a: it cannot be solved"),
@@ -115,7 +116,9 @@ def test_the_others_are_verified(bank):
 @pytest.mark.parametrize("command", ["key", "show"])
 def test_one_of_them_is_shown_and_the_broken_one_is_a_sentence(bank, command):
     assert run(command, "G0", "--bank", str(bank)).returncode == 0
-    for code in ("B2",) if command == "key" else ():
+    for code in ("B2", "B5") if command == "key" else ():
         broken = run(command, code, "--bank", str(bank))
-        assert broken.returncode in (1, 2)
+        assert broken.returncode == 2
+        assert broken.stderr.startswith("corollary: ")
+        assert ": derive fails: " in broken.stderr
         assert "Traceback" not in broken.stderr

@@ -97,7 +97,9 @@ def _check(
         (size * sympy.expand_trig(sympy.cos(angle - axis)) for _letter, size, angle in pulls), sympy.S.Zero
     )
     for left, right in sides(balance.law):
-        letters = {symbol for each in (left, right, total) for symbol in each.free_symbols} - known.givens
+        letters: set[Any] = {
+            symbol for each in (left, right, total) for symbol in each.free_symbols
+        } - known.givens
         found = [identical(side, total, known, letters) for side in (left, right, left - right, right - left)]
         if any(each.holds for each in found):
             continue

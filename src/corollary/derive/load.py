@@ -20,7 +20,7 @@ from corollary.derive.comparison import NAMES, compiled
 from corollary.derive.derivation import Derivation
 from corollary.derive.signs import symbol_of
 from corollary.derive.statements import SOLUTION
-from corollary.derive.time_limit import TooLong, time_limit
+from corollary.derive.time_limit import TooLong, no_way_out, time_limit
 from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.problem import Problem
 
@@ -67,7 +67,7 @@ def load(bank: Bank, problem: Problem) -> Loaded:
         raise NotDerivable(
             path, 0, f"is missing; {problem.path.name} needs a solution there, with a function derive(…)"
         )
-    with importable(path), time_limit(AUTHOR_S):
+    with importable(path), time_limit(AUTHOR_S), no_way_out():
         return _loaded(problem, path)
 
 
