@@ -293,7 +293,8 @@ class Checks:
         """Where a claim can be tried: the true values there, which meet it, what letters must be, and how far off they may be."""
         memo = id(claim), id(spot)
         if memo not in self.tried:
-            self.tried[memo] = found = []
+            found: list[tuple[MutationSpot, dict[str, Evaluation], float]] = []
+            self.tried[memo] = found
             try:
                 attempts = (
                     _special(claim, spot, self.case)
