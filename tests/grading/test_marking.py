@@ -15,9 +15,10 @@ from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Right, Unmarked, Unread, Verdict
 from corollary.course.demo.player import right_sources
 from corollary.formula.errors import ParseError
+from corollary.grading.grade import Marked
 from corollary.grading.marking import late_share, mark
 from corollary.grading.solutions import Solutions
-from corollary.notebook.notebook import filled_in
+from corollary.notebook.notebook import filled_in, notebook
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.problem_set import read_set
@@ -55,23 +56,27 @@ def sheet(tmp_path_factory: pytest.TempPathFactory) -> Worksheet:
 
 
 @pytest.fixture(scope="module")
-def marks(sheet: Worksheet) -> Iterator[Marks]:
-    """The verdicts on a notebook, by the name of the answer: of two (program and figure) the worse."""
+def marked(sheet: Worksheet) -> Iterator[Callable[[NotebookNode], Marked]]:
     solutions = Solutions(chapter_bank())
     keys = {each.problem.code: solutions.key(each.variant) for each in sheet.exercises}
     with Runner() as runner:
 
-        def of(node: NotebookNode) -> Mapping[str, Verdict]:
+        def of(node: NotebookNode) -> Marked:
             book = notebook_of(nbformat.writes(node).encode())
             assert isinstance(book, Notebook)
-            marked = mark(sheet, keys, book, runner, b"secret", 0.0)
-            return {
-                grade.variant.problem.answer_name(part.part): part.verdict
-                for grade in marked.grades
-                for part in grade.parts
-            }
+            return mark(sheet, keys, book, runner, b"secret", 0.0)
 
         yield of
+
+
+@pytest.fixture(scope="module")
+def marks(marked: Callable[[NotebookNode], Marked]) -> Marks:
+    """The verdicts on a notebook, by the name of the answer: of two (program and figure) the worse."""
+    return lambda node: {
+        grade.variant.problem.answer_name(part.part): part.verdict
+        for grade in marked(node).grades
+        for part in grade.parts
+    }
 
 
 @pytest.fixture
@@ -208,3 +213,82 @@ def problem_set_with_a_late_rule(tmp_path):
         encoding="utf-8",
     )
     return read_set(chapter_bank(), path)
+
+
+@pytest.mark.parametrize(
+    ("source", "sentence"),
+    [
+        ("X12_5_a = 9.3 kg m/s", 'write X12_5_a = "9.3 kg m/s"'),
+        ("X12_5_a = 9,3 kg m/s  # mine", 'write X12_5_a = "9,3 kg m/s"'),
+        ("X12_5_a = m*v", 'write X12_5_a = "m*v"'),
+        ("X12_5_a = -8.6 N s, to the left", 'write X12_5_a = "-8.6 N s, to the left"'),
+        ("9.3", "nothing in it is called X12_5_a"),
+        ("'9.3 kg m/s'", "nothing in it is called X12_5_a"),
+        ("9.3 kg m/s", "nothing in it is called X12_5_a"),
+        ("x12_5_a = 9.3", "nothing in it is called X12_5_a"),
+        ("p = 9.3", "nothing in it is called X12_5_a"),
+        ("X12_5_a = None   # 9.3 kg m/s", "nothing in it is called X12_5_a"),
+        ("X12_5_a = None\n# 9.3 kg m/s", "nothing in it is called X12_5_a"),
+        ('"X12_5_a" == "9.3 kg m/s"', "nothing in it is called X12_5_a"),
+    ],
+)
+def test_what_was_written_without_giving_an_answer_waits_for_a_person(
+    marked: Callable[[NotebookNode], Marked], whole: NotebookNode, source: str, sentence: str
+):
+    set_answer(whole, "X12_5_a", source)
+    found = marked(whole)
+    part = next(grade for grade in found.grades if grade.variant.problem.code == "X12.5")["a"]
+    assert isinstance(part.verdict, Unmarked)
+    assert sentence in part.feedback
+    assert part.answer == source.removeprefix("X12_5_a = None\n")
+    (note,) = found.notes
+    assert "The cell of X12_5_a gives no answer" in note
+    assert source.splitlines()[-1].split("#")[-1].strip() in note
+
+
+def test_an_answer_cell_that_became_text_waits_for_a_person(
+    marked: Callable[[NotebookNode], Marked], whole: NotebookNode
+):
+    cell = next(cell for cell in whole.cells if cell.id == "X12_5_a_answer")
+    cell.cell_type, cell.source = "markdown", "X12_5_a = 9.3 kg m/s"
+    del cell["outputs"], cell["execution_count"]
+    found = marked(whole)
+    part = next(grade for grade in found.grades if grade.variant.problem.code == "X12.5")["a"]
+    assert isinstance(part.verdict, Unmarked)
+    assert "9.3 kg m/s" in found.notes[0]
+
+
+def test_an_answer_in_a_text_elsewhere_waits_for_a_person(
+    marked: Callable[[NotebookNode], Marked], whole: NotebookNode, sheet: Worksheet
+):
+    blank = next(each for each in notebook(sheet).cells if each.id == "X12_5_a_answer").source
+    set_answer(whole, "X12_5_a", blank)
+    whole.cells.insert(5, nbformat.v4.new_markdown_cell("My answer:\n\n- X12_5_a = 9.3 kg m/s"))
+    (note,) = marked(whole).notes
+    assert "9.3 kg m/s" in note
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda blank: blank,
+        lambda blank: "",
+        lambda blank: "X12_5_a = None",
+        lambda blank: "X12_5_a = ''  # ?",
+        lambda blank: blank + "  \n\n",
+        lambda blank: "import numpy as np\n" + blank,
+        lambda blank: blank + '\ncheck("X12_5_a")',
+    ],
+)
+def test_a_cell_without_an_answer_is_blank(
+    marked: Callable[[NotebookNode], Marked],
+    whole: NotebookNode,
+    sheet: Worksheet,
+    change: Callable[[str], str],
+):
+    blank = next(each for each in notebook(sheet).cells if each.id == "X12_5_a_answer").source
+    set_answer(whole, "X12_5_a", change(blank))
+    found = marked(whole)
+    part = next(grade for grade in found.grades if grade.variant.problem.code == "X12.5")["a"]
+    assert part.feedback == "No answer was given."
+    assert not found.notes

@@ -138,3 +138,15 @@ def test_two_cells_of_one_name_are_refused_by_the_name(ada: Worksheet):
     """The second of them would take the first one's answer."""
     with pytest.raises(ValueError, match=r"two cells of week_1 would be called .*; rename one of the parts"):
         notebook(replace(ada, exercises=(*ada.exercises, ada.exercises[0])))
+
+
+def test_a_check_without_the_cell_that_defines_it_says_which_to_run(ada: Worksheet):
+    """As after a restart: by the last line of its error, so that nbgrader takes it for no success."""
+    checks = [cell for cell in notebook(ada).cells if "check(" in cell.source and cell.id != "setup"]
+    assert len(checks) > 5
+    for cell in (each for each in checks if each.cell_type == "code"):
+        with pytest.raises(AssertionError, match="Run the folded cell above first"):
+            exec(cell.source, {})
+        called: list[tuple[str, ...]] = []
+        exec(cell.source, {"check": lambda *names, into=called: into.append(names)})
+        assert len(called) == 1

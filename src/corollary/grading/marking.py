@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from corollary.answers.registry import answer_type
@@ -16,8 +16,16 @@ from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.judge import asks
 from corollary.messages import catalogue
 from corollary.notebook.content import with_names
-from corollary.notebook.locate import answer_id, cells_by_id, code_to_run, plot_cells, written_text
+from corollary.notebook.locate import (
+    answer_id,
+    cells_by_id,
+    code_to_run,
+    plot_cells,
+    written_elsewhere,
+    written_text,
+)
 from corollary.notebook.notebook import notebook as handed_out
+from corollary.notebook.unbound import one_line, unquoted
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.sandbox.file import Unreadable
@@ -29,6 +37,7 @@ from corollary.sandbox.runner import Runner
 _ = catalogue(__name__)
 
 Keys = Mapping[str, Key]
+WITHOUT_QUOTES = ("SyntaxError", "IndentationError", "NameError")  # what a missing pair of quotes ends in
 
 
 def mark(
@@ -55,7 +64,15 @@ def mark(
     )
     share, trouble = late_share(sheet.problem_set, late), executed.trouble
     return Marked(
-        sheet.student, grades, executed.cells, executed.figures, executed.isolation.line, trouble, late, share
+        sheet.student,
+        grades,
+        executed.cells,
+        executed.figures,
+        executed.isolation.line,
+        trouble,
+        late,
+        share,
+        tuple(_unbound(sheet, grades, notebook)),
     )
 
 
@@ -123,7 +140,8 @@ def _grade(
     return replace(
         graded,
         parts=tuple(
-            _explained(part, prompt, ran) for part, prompt in zip(graded.parts, prompts, strict=True)
+            _explained(part, prompt, notebook, ran)
+            for part, prompt in zip(graded.parts, prompts, strict=True)
         ),
     )
 
@@ -148,17 +166,56 @@ def _runs(notebook: Notebook, executed: ExecutionResult) -> dict[str, CellRun]:
     }
 
 
-def _explained(part: PartGrade, prompt: Prompt, runs: Mapping[str, CellRun]) -> PartGrade:
-    """A part without an answer, whose cell failed: the student reads why."""
-    run = runs.get(answer_id(prompt.key, prompt.part))
-    if not (isinstance(part.verdict, Unread) and part.verdict.blank) or run is None or run.status == "ok":
+def _explained(part: PartGrade, prompt: Prompt, notebook: Notebook, runs: Mapping[str, CellRun]) -> PartGrade:
+    """A part without an answer: where something was written for it a person reads that; where its cell failed the student reads
+    why."""
+    if not (isinstance(part.verdict, Unread) and part.verdict.blank):
         return part
+    run = runs.get(answer_id(prompt.key, prompt.part))
+    status, error = (
+        ("ok", "") if run is None or run.error.startswith(WITHOUT_QUOTES) else (run.status, run.error)
+    )
+    if status == "ok":
+        return _left_to_a_person(part, prompt, notebook)
     sentence = {
-        "error": _("No answer came out of this part: its cell stopped with {error}.", error=run.error),
+        "error": _("No answer came out of this part: its cell stopped with {error}.", error=error),
         "timeout": _("No answer came out of this part: its cell ran out of time."),
         "not run": _("No answer came out of this part: its cell was not reached any more."),
-    }[run.status]
+    }[status]
     return replace(part, verdict=Unread(sentence, blank=True), feedback=sentence)
+
+
+def _left_to_a_person(part: PartGrade, prompt: Prompt, notebook: Notebook) -> PartGrade:
+    """A part whose cell was changed and gives its name no value, or whose answer stands where none is looked for."""
+    text = written_elsewhere(notebook.node, prompt)
+    if not text:
+        return part
+    bare = unquoted(prompt.name, text)
+    sentence = (
+        _(
+            "No answer came out of this part, since its text has no quotes; write {line}. A person will read it.",
+            line=f'{prompt.name} = "{one_line(bare)}"',
+        )
+        if bare
+        else _(
+            "Your cell was changed, but nothing in it is called {name}. A person will read what you wrote.",
+            name=prompt.name,
+        )
+    )
+    return replace(part, verdict=Unmarked(sentence), answer=text, feedback=sentence)
+
+
+def _unbound(sheet: Worksheet, grades: Iterable[Grade], notebook: Notebook) -> Iterator[str]:
+    """A note on each part that waits for a person because its cell gives no answer."""
+    parts = {(grade.variant.problem.code, part.part.id): part for grade in grades for part in grade.parts}
+    for prompt in sheet.prompts:
+        part, text = parts[prompt.problem.code, prompt.part.id], written_elsewhere(notebook.node, prompt)
+        if text and part.waits and part.answer == text:
+            yield _(
+                "The cell of {name} gives no answer; a person reads its text: {text}",
+                name=prompt.name,
+                text=one_line(text),
+            )
 
 
 def late_share(problem_set: ProblemSet, late: float) -> float:

@@ -112,7 +112,7 @@ def _marked(context: GradingContext, runner: Runner, submission: Submission) -> 
     keys = {each.problem.code: context.solutions.key(each.variant) for each in sheet.exercises}
     marked = mark(sheet, keys, received, runner, context.secret, submission.late, submission.reveal)
     marked = marked.joined(submission.retained)
-    marked = replace(marked, notes=notes(sheet, node) if node is not None else ())
+    marked = replace(marked, notes=(*(notes(sheet, node) if node is not None else ()), *marked.notes))
     # Who handed in what cannot be opened may hand in again: the answers stay hidden.
     revealed = keys if submission.reveal and node is not None else {}
     worked = {code: context.solutions.worked_solution_of(key) for code, key in revealed.items()}

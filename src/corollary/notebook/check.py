@@ -11,11 +11,13 @@ from corollary.answers.answer_type import AnswerType
 from corollary.answers.preview import Preview
 from corollary.answers.question import Question
 from corollary.messages import catalogue, language
+from corollary.notebook.unbound import text_found, unquoted
 from corollary.sandbox.tagged import value_of
 from corollary.sandbox.worker.encode import encode
 
 _ = catalogue(__name__)
 
+BARE = re.compile(r"[-+.\d\"'][^=\n#]*")  # a cell that is one value and nothing else
 STAGE = "NBGRADER_EXECUTION"  # nbgrader sets it while it runs a notebook
 
 
@@ -73,30 +75,49 @@ class Check:
             return its_type.preview_function(self._space.get(question.function), question)
         if its_type.found_in == "figure":
             return Preview(True, _("the figure drawn above is what will be marked"))
-        if unquoted := _without_quotes(name, self._space.get("In")):
-            return Preview(
-                False,
-                _(
-                    "no answer yet: a number with its unit stands in quotes: {line}",
-                    line=f'{name} = "{unquoted}"',
-                ),
-            )
+        if trouble := self._why_unbound(name, its_type.blank(question)):
+            return Preview(False, trouble)
         return its_type.preview(value_of(encode(self._space.get(name))), question)
+
+    def _why_unbound(self, name: str, blank: str) -> str:
+        """Why the last text written for an answer gave it no value; what is older is not spoken of. Empty where it did.
+
+        IPython keeps the cells that were run, also those that failed; the last of them is the one that asks.
+        """
+        history = self._space.get("In")
+        cells = (
+            [text for text in cast("list[object]", kept) if isinstance(text, str)]
+            if isinstance(history, list)
+            else []
+        )
+        last = next(
+            (
+                text
+                for text in reversed(cells)
+                if re.search(rf"^[ \t]*{name}[ \t]*=(?!=)", text, re.MULTILINE)
+            ),
+            "",
+        )
+        if bare := unquoted(name, last, self._space.keys()):
+            line = f'{name} = "{bare}"'
+            if bare[0] in "+-.,0123456789":
+                return _("no answer yet: a number with its unit stands in quotes: {line}", line=line)
+            return _("no answer yet: a formula, a letter or a word stands in quotes: {line}", line=line)
+        if self._space.get(name) is not None:
+            return ""
+        for other in self._space:
+            if other != name and other.lower() == name.lower() and other not in self._questions:
+                return _("no answer yet: {other} is another name than {name}", other=other, name=name)
+        written = text_found(last, blank, name)
+        if written.startswith(f"{name} =") and "#" in written:
+            return _("no answer yet: what stands behind # is not read; write it in place of None")
+        before = cells[-2].strip() if len(cells) > 1 else ""
+        if BARE.fullmatch(before):
+            value = before if before[0] in "\"'" else f'"{before}"'
+            return _("no answer yet: a value needs its name: {line}", line=f"{name} = {value}")
+        return ""
 
     @property
     def source(self) -> str:
         """The text of the modules that read answers, one below the other."""
         return "\n\n".join(f"# {name}\n\n{text}" for name, text in self._modules.items())
-
-
-def _without_quotes(name: str, cells: object) -> str:
-    """`8.6 N s` where the last cell with this answer says so, which Python cannot read; IPython keeps the cells."""
-    for text in reversed(cast("list[str]", cells) if isinstance(cells, list) else []):
-        if re.search(rf"^{name} *=", text, re.MULTILINE):
-            found = re.search(rf"^{name} *= *([-+\d.,][^\"'#()\n]*[^\W\d]) *(#.*)?$", text, re.MULTILINE)
-            try:
-                compile(text, name, "exec")
-            except SyntaxError:
-                return found[1] if found else ""
-            return ""
-    return ""

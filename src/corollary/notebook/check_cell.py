@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import bz2
 import json
-import zlib
 from base64 import b85encode
 from functools import lru_cache
 from importlib.metadata import packages_distributions, version
@@ -25,10 +25,10 @@ CELL = """\
 def corollary(carried=(
 {carried}
 )):
-    import base64, json, sys, zlib
+    import base64, bz2, json, sys
     if sys.version_info < (3, 11):
         return lambda *names: print({too_old!r})
-    carried, loader = json.loads(zlib.decompress(base64.b85decode(carried))), {{"__name__": "corollary_carried"}}
+    carried, loader = json.loads(bz2.decompress(base64.b85decode(carried))), {{"__name__": "corollary_carried"}}
     exec(carried["loader"], loader)
     return loader["checker"](carried, globals())
 
@@ -82,7 +82,7 @@ def _carried(code: str, questions: tuple[Question, ...]) -> str:
         "language": code,
         "catalogues": dict(catalogues(modules(types))),
     }
-    packed = b85encode(zlib.compress(json.dumps(carried, ensure_ascii=False).encode(), 9)).decode()
+    packed = b85encode(bz2.compress(json.dumps(carried, ensure_ascii=False).encode())).decode()
     return "\n".join(f"    {packed[at : at + LINE]!r}" for at in range(0, len(packed), LINE))
 
 

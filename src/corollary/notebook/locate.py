@@ -10,6 +10,7 @@ from nbformat import NotebookNode
 
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.registry import answer_type
+from corollary.notebook.unbound import assigned, text_found
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.part import Part
 
@@ -62,6 +63,24 @@ def written_text(nb: NotebookNode, prompt: Prompt) -> str | None:
     blank = prompt.answer_types[0].blank(prompt.question)
     text = str(cell.source).replace(blank, "").strip() if cell is not None else ""
     return text or None
+
+
+def written_elsewhere(nb: NotebookNode, prompt: Prompt) -> str:
+    """What was written for an answer that takes a name, into its cell or, where that was left as it was, behind the name in
+    another; empty where nothing was."""
+    its_type = prompt.answer_types[0]
+    if its_type.found_in != "variable":
+        return ""
+    named, own = cells_by_id(nb), answer_id(prompt.key, prompt.part)
+    cell = named.get(own)
+    text = (
+        text_found(str(cell.source), its_type.blank(prompt.question), prompt.name) if cell is not None else ""
+    )
+    if text:
+        return text
+    others = (str(each.source) for each in nb.cells if each is not cell and grade_id(each) != prompt.key)
+    found = (assigned(source, name) for source in others for name in (prompt.name, prompt.key))
+    return next(filter(None, found), "")
 
 
 def code_to_run(nb: NotebookNode, handed_out: NotebookNode) -> tuple[tuple[str, str], ...]:

@@ -42,6 +42,7 @@ HOW_TO_ANSWER = N_(
 3. Run the cell below your answer: it says how your answer is **read**, not whether it is right.
 4. Where *Your answer here.* stands, double-click and write. Then save, and hand in this one file."""
 )
+RUN_FIRST = N_("Run the folded cell above first: Run ▸ Run All Above Selected Cell.")
 CLOSING = N_(
     """\
 ---
@@ -121,7 +122,7 @@ def _cells(sheet: Worksheet) -> Iterator[NotebookNode]:
     for exercise in sheet.exercises:
         yield from _exercise_cells(exercise)
     yield reading_cell("closing", _(CLOSING))
-    yield program_cell("check_all", "check()")
+    yield program_cell("check_all", _checking(""))
 
 
 def _exercise_cells(exercise: Exercise) -> Iterator[NotebookNode]:
@@ -141,7 +142,12 @@ def _part_cells(prompt: Prompt) -> Iterator[NotebookNode]:
             yield written_cell(key, each.blank(question), prompt.out_of)
             return
         yield answer_cell(cell_id(key, each), each.blank(question))
-    yield graded_cell(key, f'check("{question.name}")', prompt.out_of)
+    yield graded_cell(key, _checking(f'"{question.name}"'), prompt.out_of)
+
+
+def _checking(names: str) -> str:
+    """A check; it fails where it is not defined, as after a restart: nbgrader takes silence for full marks."""
+    return f'assert "check" in globals(), {json.dumps(_(RUN_FIRST), ensure_ascii=False)}\ncheck({names})'
 
 
 def picture(svg: str, alt: str) -> str:

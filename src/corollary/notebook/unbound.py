@@ -1,0 +1,93 @@
+"""Answers in the text of a cell that binds no answer: without quotes, in a comment, under another name, as Markdown."""
+
+from __future__ import annotations
+
+import ast
+import builtins
+import re
+from collections.abc import Collection
+
+REMARK = re.compile(r"#.*")
+LEADS_NOWHERE = re.compile(r"\s*(?:import\b|from\s+\S+\s+import\b|%|check\s*\()")
+LONGEST = 80
+NO_ANSWER = re.compile(r"\bNone\b|\W|_")  # what may stand in a cell without being an answer
+
+
+def text_found(source: str, blank: str, name: str) -> str:
+    """What a student wrote into an answer cell that was handed out as `blank`: without the lines of the blank, imports, and an
+    assignment of nothing to `name`; empty where nothing is left."""
+    handed_out = {line.strip() for line in blank.splitlines()}
+    remarks = [found[0].strip() for line in handed_out if (found := REMARK.search(line))]
+    left: list[str] = []
+    for line in map(str.strip, source.splitlines()):
+        if line in handed_out or LEADS_NOWHERE.match(line):
+            continue
+        for remark in remarks:
+            line = line.replace(remark, "").strip()
+        if NO_ANSWER.sub("", re.sub(rf"^{re.escape(name)}\s*=", "", line)):
+            left.append(line)
+    return "\n".join(left)
+
+
+def assigned(source: str, name: str) -> str:
+    """The last line of a text that gives `name` a value, in capital or small letters; empty where none does."""
+    lines = re.findall(rf"^[^\w\n]*({re.escape(name)}\s*[=:](?!=).*)$", source, re.MULTILINE | re.IGNORECASE)
+    return next((line.strip() for line in reversed(lines) if _value_in(line)), "")
+
+
+def unquoted(name: str, source: str, known: Collection[str] = ()) -> str:
+    """`8.6 N s` where a cell gives it to `name` without quotes, so that Python cannot take it: it is no Python, or has names that
+    are neither `known` nor made in the cell. Empty where Python takes it."""
+    found = re.findall(
+        rf"^[ \t]*{re.escape(name)}[ \t]*=(?!=)[ \t]*([^\"'#\n]*?)[ \t]*(?:#.*)?$", source, re.MULTILINE
+    )
+    text = found[-1] if found else ""
+    if not NO_ANSWER.sub("", text):
+        return ""
+    try:
+        tree = ast.parse(source)
+    except (SyntaxError, ValueError):
+        return "" if _is_python(text) or text[-1] in "([{,\\" else text
+    made, used = _names(tree), {node.id for node in ast.walk(_parsed(text)) if isinstance(node, ast.Name)}
+    return text if made is not None and used - made - {*known, *dir(builtins)} else ""
+
+
+def one_line(text: str) -> str:
+    """A text as it may be quoted in a sentence: printable, and cut short where it is long."""
+    words = " ".join("".join(sign if sign.isprintable() else " " for sign in text).split())
+    return words if len(words) <= LONGEST else words[: LONGEST - 1] + "…"
+
+
+def _value_in(line: str) -> str:
+    return NO_ANSWER.sub("", REMARK.sub("", re.split("[=:]", line, maxsplit=1)[1]))
+
+
+def _is_python(text: str) -> bool:
+    try:
+        ast.parse(text, mode="eval")
+    except (SyntaxError, ValueError):
+        return False
+    return True
+
+
+def _parsed(text: str) -> ast.AST:
+    """The tree of an expression; an empty one for the first line of a longer one."""
+    return ast.parse(text, mode="eval") if _is_python(text) else ast.Module([], [])
+
+
+def _names(tree: ast.Module) -> set[str] | None:
+    """The names that a cell makes; None where it may make any."""
+    found = set[str]()
+    for node in ast.walk(tree):
+        match node:
+            case ast.Name(id=name, ctx=ast.Store()) | ast.arg(arg=name):
+                found.add(name)
+            case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
+                found.add(name)
+            case ast.alias(name="*"):
+                return None
+            case ast.alias(name=name, asname=other):
+                found.add(other or name.partition(".")[0])
+            case _:
+                continue
+    return found
