@@ -86,7 +86,7 @@ class Check:
         """
         history = self._space.get("In")
         cells = (
-            [text for text in cast("list[object]", kept) if isinstance(text, str)]
+            [text for text in cast("list[object]", history) if isinstance(text, str)]
             if isinstance(history, list)
             else []
         )
