@@ -25,11 +25,11 @@ COMMAND = re.compile("|".join(rf"{re.escape(each)}(?![A-Za-z])" for each in MEAN
 RAISED = re.compile("[⁰¹²³⁴-⁹⁺⁻]+")
 POINT = re.compile(r"(?<=\d)[.,](?=\d)")
 WORD = re.compile(r"[^\W\d_]{2,}")
-KEPT = frozenset("%/*-'\u2030")
+SIGNS = frozenset("%/*-'\u2030")
 DROPPED = frozenset("$`")
 
 
-def plain(text: str) -> str:
+def normal_form(text: str) -> str:
     """What the options of a choice are compared by. Only the capital at the beginning of a word is no difference, and in a number
     with a unit not even that: 5 mW and 5 MW are two options."""
     text = unicodedata.normalize("NFC", text)
@@ -43,20 +43,20 @@ def plain(text: str) -> str:
     if not re.search(r"[\d$]", text):
         text = WORD.sub(_without_capital, text)
     points = {found.start() for found in POINT.finditer(text)}
-    signs = ("." if place in points else _kept(sign) for place, sign in enumerate(text))
+    signs = ("." if place in points else _sign_or_letter(sign) for place, sign in enumerate(text))
     return "".join(signs).strip("'*").removeprefix("the")
 
 
 def folded(text: str) -> str:
     """The same where small letters are as good as capitals."""
-    return plain(text).lower()
+    return normal_form(text).lower()
 
 
 def alike(texts: Mapping[str, str]) -> tuple[str, str] | None:
     """The letters of two options that people cannot tell apart, if there are any."""
     seen: dict[str, str] = {}
     for letter, text in texts.items():
-        if (first := seen.setdefault(plain(text), letter)) != letter:
+        if (first := seen.setdefault(normal_form(text), letter)) != letter:
             return first, letter
     return None
 
@@ -66,7 +66,7 @@ def _without_capital(found: re.Match[str]) -> str:
     return word.lower() if word[1:].islower() else word
 
 
-def _kept(sign: str) -> str:
+def _sign_or_letter(sign: str) -> str:
     """A letter without its accent, a digit, a sign with a meaning; else nothing."""
     if sign in DROPPED:
         return ""
@@ -74,4 +74,4 @@ def _kept(sign: str) -> str:
     if kind[0] in "LN":
         apart = unicodedata.normalize("NFKD", sign)
         return "".join(each for each in apart if not unicodedata.combining(each))
-    return sign if sign in KEPT or kind[0] == "S" else ""
+    return sign if sign in SIGNS or kind[0] == "S" else ""

@@ -8,7 +8,7 @@ from typing import final
 
 from corollary.answers.answer import Answer, Blank, Letter, Unclear
 from corollary.answers.answer_type import AnswerType
-from corollary.answers.choice.option_text import folded, plain
+from corollary.answers.choice.option_text import folded, normal_form
 from corollary.answers.numbers import PLACEHOLDERS, turned_away
 from corollary.answers.question import Question
 from corollary.formula.by_hand import by_hand
@@ -93,7 +93,7 @@ def _bare_letter(text: str, question: Question, meant: str) -> bool:
     """Whether a letter stands alone that is the text of another option, too. `A` is not the text `a`: it is how letters are printed."""
     alone = text.strip()
     printed = question.option_texts[question.options.index(meant)]
-    return len(alone) == 1 and (alone.islower() or plain(alone) == plain(printed))
+    return len(alone) == 1 and (alone.islower() or normal_form(alone) == normal_form(printed))
 
 
 def _two_meanings(letter: str, meant: str) -> Unclear:
@@ -116,7 +116,7 @@ def _by_its_words(text: str, question: Question) -> str | None:
         words = text[: label.start()] + text[label.end() :]
         if _copied(words, options) not in ("", letter):
             return None
-        return letter if plain(words) and folded(options[letter]).startswith(folded(words)) else ""
+        return letter if normal_form(words) and folded(options[letter]).startswith(folded(words)) else ""
     if same := _copied(text, options):
         return same
     starts = {
@@ -125,12 +125,12 @@ def _by_its_words(text: str, question: Question) -> str | None:
         for mark in CLAUSE.finditer(option)
     }
     begun = [each for each, start in starts if folded(text) == start]
-    return begun[0] if plain(text) and len(begun) == 1 else ""
+    return begun[0] if normal_form(text) and len(begun) == 1 else ""
 
 
 def _copied(text: str, options: Mapping[str, str]) -> str:
     """The letter of the one option of just this text; capitals tell where small letters alone do not."""
-    for key in (plain, folded) if not re.search(r"\d", text) else (plain,):
+    for key in (normal_form, folded) if not re.search(r"\d", text) else (normal_form,):
         same = [each for each, option in options.items() if key(option) == key(text)]
         if key(text) and len(same) == 1:
             return same[0]

@@ -112,14 +112,14 @@ def coq_name(name: str) -> str:
     ascii_name = "".join(
         each if each.isascii() and (each.isalnum() or each == "_") else f"'{ord(each):x}'" for each in name
     )
-    plain = ascii_name not in RESERVED and ascii_name[:1].isalpha()
-    return ascii_name if plain else f"x'{ascii_name}"
+    identifier = ascii_name not in RESERVED and ascii_name[:1].isalpha()
+    return ascii_name if identifier else f"x'{ascii_name}"
 
 
 def comment(text: str) -> str:
     """A comment of Coq: comments nest there, and a quotation mark in one begins a text that hides its end."""
-    plain = "".join(each if each.isprintable() else " " for each in text).replace('"', "'")
-    return f"(* {re.sub(r'(?<=[(*])(?=[*)])', ' ', plain)} *)"
+    printable = "".join(each if each.isprintable() else " " for each in text).replace('"', "'")
+    return f"(* {re.sub(r'(?<=[(*])(?=[*)])', ' ', printable)} *)"
 
 
 def coq(tree: Expr) -> str:

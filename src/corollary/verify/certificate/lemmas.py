@@ -41,7 +41,7 @@ def lemmas(solution: Solution) -> Iterator[tuple[Unknown, list[Lemma]]]:
     box = Box(solution.problem)
     steps = [find for find in solution.unknowns if find.laws]
     numbers = next(
-        (each.exact for each in _dealt(solution) if _kept(each, solution)), dict[str, RationalPi]()
+        (each.exact for each in _dealt(solution) if _admissible(each, solution)), dict[str, RationalPi]()
     )
     for find, owed in zip(steps, only_roots(solution), strict=True):
         found = ", ".join(find.names)
@@ -70,7 +70,7 @@ def _dealt(solution: Solution) -> Iterator[Variant]:
     yield from sample(solution.problem, 100)
 
 
-def _kept(variant: Variant, solution: Solution) -> bool:
+def _admissible(variant: Variant, solution: Solution) -> bool:
     try:
         return first_broken(variant) is None and all(
             certified(tree, variant.exact).proven

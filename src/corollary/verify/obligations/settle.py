@@ -83,7 +83,7 @@ def _of_one(
 
 
 @dataclass(frozen=True, slots=True)
-class Failure:
+class Refutation:
     """A grid point that keeps the conditions, and the clause that does not hold there: a claim, or what it needs to have a value."""
 
     point: Mapping[str, int]
@@ -95,7 +95,7 @@ class Settling:
 
     def __init__(self, box: Box, variants: int = 100) -> None:
         self.box, self.variants = box, variants
-        self.found: dict[tuple[Clause, bool, bool], str | Failure] = {}
+        self.found: dict[tuple[Clause, bool, bool], str | Refutation] = {}
 
     @cached_property
     def points(self) -> dict[str, np.ndarray]:
@@ -138,23 +138,25 @@ class Settling:
     def _settle_need(self, each: Obligation, need: Clause, ways: list[str]) -> Settled | None:
         """How the obligation is settled where this need is not proven."""
         found = self.prove(need, each.redrawn)
-        if isinstance(found, Failure) and not (each.kind == "value exists" and self._has_values(each, found)):
+        if isinstance(found, Refutation) and not (
+            each.kind == "value exists" and self._has_values(each, found)
+        ):
             return self._broken(each, found)
-        if isinstance(found, Failure) or not found:
+        if isinstance(found, Refutation) or not found:
             return self._unsettled(each)
         ways.append(found)
         return None
 
-    def _has_values(self, each: Obligation, failure: Failure) -> bool:
+    def _has_values(self, each: Obligation, refutation: Refutation) -> bool:
         """Whether all formulas have a value though what is needed in general fails: a cube of a negative number whose exponent is given."""
-        values = self.box.exact(dict.fromkeys(self.box.axes, 0) | dict(failure.point))
+        values = self.box.exact(dict.fromkeys(self.box.axes, 0) | dict(refutation.point))
         return all(has_value(tree, values) is not False for tree in each.formulas)
 
     def _settle_root(self, each: Obligation, ways: list[str]) -> Settled | None:
         """How it is settled where another root may fulfil laws and conditions; None where there is none."""
         for place, need in enumerate(each.partial):
             found = self.prove(need, partial=True)
-            if isinstance(found, Failure) and each.equations is not None:
+            if isinstance(found, Refutation) and each.equations is not None:
                 values = self._values(found.point)
                 laws = (*each.equations.laws, *each.equations.where)
                 if values is not None and fulfils(laws, each.equations.others[place], values):
@@ -165,7 +167,7 @@ class Settling:
         clauses = leading(self.box, equations)
         proven = [self.prove(need, partial=True) for need in clauses or ()]
         for found in proven:
-            if isinstance(found, Failure) and (values := self._values(found.point)) is not None:
+            if isinstance(found, Refutation) and (values := self._values(found.point)) is not None:
                 other = another_root(equations, values)
                 if other is not None:
                     return self._broken(each, found)
@@ -191,7 +193,7 @@ class Settling:
                 return values
         return None
 
-    def prove(self, need: Clause, redrawn: bool = False, partial: bool = False) -> str | Failure:
+    def prove(self, need: Clause, redrawn: bool = False, partial: bool = False) -> str | Refutation:
         """The prover that shows the clause for all numbers of the box; where it fails; or "" where nothing decides. `partial`: the clause
         may have no value, and then says nothing."""
         key = need, redrawn, partial
@@ -199,7 +201,7 @@ class Settling:
             self.found[key] = self._prove(need, redrawn, partial)
         return self.found[key]
 
-    def _prove(self, need: Clause, redrawn: bool, partial: bool) -> str | Failure:
+    def _prove(self, need: Clause, redrawn: bool, partial: bool) -> str | Refutation:
         algebra = Algebra(self.box, need)
         if any(algebra.holds(each) and (partial or self._has_value((each,))) for each in need):
             return "algebra"
@@ -209,21 +211,21 @@ class Settling:
             failing = surely_fails(need, self.box, places)
             if failing.any():
                 first = int(np.argmax(failing))
-                return Failure({name: int(at[first]) for name, at in places.items()}, need)
+                return Refutation({name: int(at[first]) for name, at in places.items()}, need)
         if not partial and not redrawn and len(need) == 1 and (missing := self._no_value(need)) is not None:
             return missing
         for most in (FEW_BOXES, MOST_BOXES):
             divided = subdivide(self.box, need, most, partial)
             if divided is not None:
                 if not divided.proven:
-                    return Failure(divided.failing or {}, need)
+                    return Refutation(divided.failing or {}, need)
                 return "enumeration" if divided.points else "subdivision"
             if most == FEW_BOXES and installed():
                 found = no_exception(self.box, need, REDRAWN_STEPS if redrawn else STEPS)
                 if found is True and (partial or self._has_value(need)):
                     return "z3"
                 if isinstance(found, dict) and self._fails(need, found, partial):
-                    return Failure(found, need)
+                    return Refutation(found, need)
             if redrawn:
                 break
         return ""
@@ -239,12 +241,12 @@ class Settling:
             for each in needed(tree)
         )
 
-    def _no_value(self, need: Clause) -> Failure | None:
+    def _no_value(self, need: Clause) -> Refutation | None:
         """Where a relation is known to have no value."""
         (relation,) = need
         for each in (one for side in (relation.left, relation.right) for one in needed(side)):
             found = self.prove((each,))
-            if isinstance(found, Failure):
+            if isinstance(found, Refutation):
                 values = self.box.exact(dict.fromkeys(self.box.axes, 0) | dict(found.point))
                 if False in (has_value(relation.left, values), has_value(relation.right, values)):
                     return found
@@ -258,8 +260,8 @@ class Settling:
             all(verdict((each,), values) for each in conditions) and verdict(need, values, partial) is False
         )
 
-    def _broken(self, each: Obligation, failure: Failure) -> Settled:
-        point, need = failure.point, failure.need
+    def _broken(self, each: Obligation, refutation: Refutation) -> Settled:
+        point, need = refutation.point, refutation.need
         letters = list(point)
         admissible = {name: self.points[name] for name in letters}
         share = (
