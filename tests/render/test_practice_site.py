@@ -14,7 +14,7 @@ from corollary.practice.offline import Offline
 from corollary.practice.practice import practice
 from corollary.problem.bank import chapter_bank
 from corollary.render.practice_site import exercise_file, page_file, reading
-from corollary.render.pyodide import NEEDED, NoPyodide, scripts
+from corollary.render.pyodide import NEEDED, NoPyodide, scripts, with_room
 
 ANSWERS = [
     "8.6 kg m/s",
@@ -85,6 +85,23 @@ def test_the_page_loads_files_beside_it_and_sends_nothing(kicks):
 def test_a_folder_without_pyodide_is_refused_by_what_it_lacks(tmp_path):
     with pytest.raises(NoPyodide, match=r"pyodide\.asm\.wasm"):
         scripts(tmp_path)
+
+
+@pytest.mark.parametrize(("before", "least"), [(b"\xe0\x03", 1024), (b"\xff\x7f", 16383)])
+def test_a_program_begins_with_memory_for_a_snapshot(before, least):
+    """The least number of pages in its memory section is set; the rest of the program is as it was."""
+    header, after = b"\0asm\1\0\0\0", b"\x0a\x01\x00"
+    program = header + b"\x01\x01\x00" + b"\x05\x07\x01\x01" + before + b"\x80\x80\x04" + after
+    made = with_room(program)
+    assert len(made) == len(program)
+    assert made[:15] == program[:15]
+    assert made[17:] == program[17:]
+    assert (made[15] & 0x7F) | (made[16] << 7) == least
+    assert with_room(made) == made
+
+
+def test_what_has_no_memory_of_its_own_is_left_as_it_is():
+    assert with_room(b"\0asm\1\0\0\0\x0a\x01\x00") == b"\0asm\1\0\0\0\x0a\x01\x00"
 
 
 @pytest.fixture
@@ -174,6 +191,7 @@ def test_a_student_practises_without_a_network(chromium, site):
     context = chromium.new_context(viewport={"width": 390, "height": 800}, offline=True)
     page, wrong = context.new_page(), list[str]()
     page.on("pageerror", lambda error: wrong.append(str(error)))
+    page.on("console", lambda message: wrong.append(f"{message.type}: {message.text}"))
     page.goto(site.as_uri())
     page.locator('nav button[data-code="S12.5wall"]').click()
     part, seen = page.locator("section[data-part=a]"), page.locator("section[data-part=b]")
@@ -200,6 +218,9 @@ def test_a_student_practises_without_a_network(chromium, site):
         steps.click()
         expect(page.locator(".worked > div")).to_have_count(count)
     expect(page.locator(".film")).to_have_count(1)
+    loaded = page.evaluate("[...document.scripts].map(each => each.src)")
+    assert any(each.endswith("pyodide/snapshot.js") for each in loaded)
+    assert not any(each.endswith("pyodide/reading.js") for each in loaded)  # it would begin anew
     assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") <= 0
     page.emulate_media(media="print")
     page.evaluate("dispatchEvent(new Event('beforeprint'))")

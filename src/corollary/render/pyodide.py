@@ -25,6 +25,9 @@ LOADER, PROGRAM, BINARY, LIBRARY, LOCK = (
     "pyodide-lock.json",
 )
 NEEDED = (LOADER, PROGRAM, BINARY, LIBRARY, LOCK)
+# What a snapshot is put back into: the memory that the program begins with, which has 30 MiB of its own and does not grow for it.
+PAGE, FEWEST_PAGES = 65_536, 1_024
+MEMORY_SECTION, HEADER = 5, 8
 LONGEST = 300.0  # seconds: node takes about ten
 
 
@@ -77,7 +80,7 @@ def scripts(folder: Path) -> Mapping[str, str]:
         .read_text(encoding="utf-8")
         .replace("//# sourceMappingURL", "// source map"),
         "program.js": program,
-        "binary.js": _data("binary", gzip.compress((folder / BINARY).read_bytes(), mtime=0)),
+        "binary.js": _data("binary", gzip.compress(with_room((folder / BINARY).read_bytes()), mtime=0)),
         "library.js": _data("library", (folder / LIBRARY).read_bytes()),
         "lock.js": f"pyodideData.lock = {json.dumps({'info': lock['info'], 'packages': {}})};\n",
     }
@@ -109,7 +112,45 @@ def snapshot(folder: Path, begin: Mapping[str, Any], asked: Sequence[Sequence[st
         if done.returncode or not memory.is_file():
             lines = done.stderr.decode(errors="replace").strip().splitlines()
             raise NoSnapshot(next((line for line in reversed(lines) if "Error" in line), "node failed"))
-        return _data("snapshot", gzip.compress(memory.read_bytes(), mtime=0))
+        content = memory.read_bytes()
+    if len(content) > FEWEST_PAGES * PAGE:
+        raise NoSnapshot(
+            f"what is begun takes {len(content) >> 20} MiB, more than the {FEWEST_PAGES * PAGE >> 20} MiB of its program"
+        )
+    return _data("snapshot", gzip.compress(content, mtime=0))
+
+
+def with_room(binary: bytes) -> bytes:
+    """A WebAssembly program that begins with memory enough for a snapshot: the least number of pages in its memory section is
+    set, in as many bytes as it had. What has no such section is left as it is."""
+    place = HEADER
+    while place < len(binary):
+        kind, (length, inside) = binary[place], _number(binary, place + 1)
+        if kind == MEMORY_SECTION:
+            _count, flags = _number(binary, inside)
+            _flags, begin = _number(binary, flags)
+            pages, end = _number(binary, begin)
+            return binary[:begin] + _bytes_of(max(pages, FEWEST_PAGES), end - begin) + binary[end:]
+        place = inside + length
+    return binary
+
+
+def _number(binary: bytes, place: int) -> tuple[int, int]:
+    """An unsigned number in LEB128, and the place behind it."""
+    number, shift = 0, 0
+    while True:
+        byte = binary[place]
+        number |= (byte & 0x7F) << shift
+        place, shift = place + 1, shift + 7
+        if byte < 0x80:
+            return number, place
+
+
+def _bytes_of(number: int, length: int) -> bytes:
+    """A number in LEB128, in this many bytes. Raises OverflowError where it takes more."""
+    if number >> 7 * length:
+        raise OverflowError(f"{number} does not fit into {length} bytes")
+    return bytes(number >> 7 * place & 0x7F | (0x80 if place + 1 < length else 0) for place in range(length))
 
 
 def _data(name: str, content: bytes) -> str:
