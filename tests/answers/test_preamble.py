@@ -18,7 +18,7 @@ from corollary.formula.numerals import TO_ASCII
     ],
 )  # fmt: skip
 def test_the_answer_is_found(written):
-    found, before = answer_in(written.translate(TO_ASCII))
+    found, before, _ = answer_in(written.translate(TO_ASCII))
     assert found.strip() == "8.6 N"
     assert written[before:].startswith("8.6")
 
@@ -37,7 +37,7 @@ def test_the_answer_is_found(written):
     ],
 )
 def test_what_changes_an_answer_stays(written):
-    found, _ = answer_in(written.translate(TO_ASCII))
+    found, _, _ = answer_in(written.translate(TO_ASCII))
     assert found.strip() != "8.6 N"
     assert any(word in found for word in ("or", "not", "less", "between", "if", ">", "half", "y = 4"))
 
@@ -56,5 +56,5 @@ def test_a_minus_in_words_or_of_a_calculator(written, answer):
 
 
 def test_quotation_marks_around_nothing_stay():
-    assert answer_in('""') == ('""', 0)
-    assert answer_in('"8"') == ("8", 1)
+    assert answer_in('""')[0] == '""'
+    assert answer_in('"8"')[:2] == ("8", 1)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
@@ -27,6 +27,7 @@ from corollary.units.unit import ONE, Unit, read_unit, si_unit
 
 _ = catalogue(__name__)
 
+LARGEST_FACTORIAL = 20
 NUMBER = re.compile(r"[0-9.,]")
 WORD = re.compile(r"π|(?P<short>(?P<letters>[A-Za-z]+)[0-9]*)[A-Za-z]*")
 EXPONENT = re.compile(r"[0-9]")
@@ -36,6 +37,7 @@ BRACKET = re.compile(
 )  # with a number alone in it, it says something twice: `0.4 (40 %)`
 ANGLE = re.compile(r"\s*(°|º|deg(?:rees?)?(?![A-Za-z])|rad(?![A-Za-z]))")
 UNIT_POWER = r"[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9]+|[({][+-]?[0-9./]+[)}])|-?[0-9](?![0-9.,])"
+RANGE = re.compile(r"\s*(?P<low>[0-9]+(?:[.,][0-9]+)?)\s*(?:-|\.\.)\s*(?P<high>[0-9]+(?:[.,][0-9]+)?)\s*(?:[A-Za-zµ°%]|$)")  # `8-9 N`
 FACTOR_ENDS = frozenset({"number", "name", "unit", "degree", "close"})
 
 
@@ -63,7 +65,7 @@ def _units_behind(functions: tuple[str, ...]) -> re.Pattern[str]:
 
 
 def worked_out(normalized: str) -> Worked | ParseError:
-    """Products, quotients, powers and roots of numbers, sums only within brackets; `normalized` is translated by TO_ASCII and bounded.
+    """Sums, products, quotients, powers and roots of numbers; `normalized` is translated by TO_ASCII and bounded.
 
     One unit at the very end is that of the result; otherwise each unit belongs to the number before it.
     """
@@ -71,11 +73,14 @@ def worked_out(normalized: str) -> Worked | ParseError:
     read = tokens(normalized, _no_letters, read_first=lambda text, at, before: _sign(text, at, before, units))
     if isinstance(read, ParseError):
         return read
-    if _sum_at_the_top(read):
-        return refused(_("one number is enough here"), 0, _("work it out and write a number and a unit"))
+    if (found := RANGE.match(normalized)) and _number(found["low"]) < _number(found["high"]):
+        why = _("{text} can be a range or a difference", text=normalized.strip())
+        return ParseError("asked", why, None, _("write one number and a unit"))
     written = [token for token in read if token.kind == "unit"]
     sized = [token for token in written if units[token.text].dimension != ONE]  # angles apart
     at_the_end = len(sized) == 1 and sized[0] is read[-2]
+    if at_the_end and _sum_at_the_top(read):  # of `8 + 0.6 kg` it is not clear what 8 measures
+        return refused(_("a unit is missing in this sum"), 0, _("write a unit behind each number, or brackets"))
     tree = formula([*read[:-2], read[-1]] if at_the_end else read, student=True, numbers=True)
     if isinstance(tree, ParseError):
         return tree
@@ -107,6 +112,10 @@ def _sum_at_the_top(signs: list[Token]) -> bool:
         if depth == 0 and sign.text in ("+", "-") and before.kind in FACTOR_ENDS:
             return True
     return False
+
+
+def _number(text: str) -> float:
+    return float(text.replace(",", "."))
 
 
 def _outside_functions(signs: list[Token]) -> Iterator[Token]:
@@ -159,6 +168,8 @@ def _sign(text: str, at: int, before: list[Token], units: dict[str, Unit]) -> Fo
             return [Token("unit", unit.text, at, True)], found.end()
     if last == "sign" and before and before[-1].text == "^" and EXPONENT.match(text, at):
         return None  # `2^3*10^-3`: here a number ends before its power of ten
+    if text[at] == "!" and last == "number":
+        return _factorial(before, at)
     if text[at] == "," and _between_arguments(text, at, before):
         return None
     if NUMBER.match(text, at):
@@ -187,6 +198,15 @@ def _sign(text: str, at: int, before: list[Token], units: dict[str, Unit]) -> Fo
     if twice or beside or tower or text[at] in "[]{}|°º":
         return refused(_("one number is enough here"), at, _("work it out and write a number and a unit"))
     return None
+
+
+def _factorial(before: list[Token], at: int) -> Found | ParseError:
+    """`5!`, the number before it replaced by its factorial."""
+    number = before[-1].value
+    if number.denominator != 1 or number > LARGEST_FACTORIAL or "!" in before[-1].text:
+        return refused(_("this factorial is not worked out"), at, _("work it out and write a number and a unit"))
+    before[-1] = replace(before[-1], text=f"{before[-1].text}!", value=Fraction(math.factorial(int(number))))
+    return [], at + 1
 
 
 def _between_arguments(text: str, at: int, before: list[Token]) -> bool:

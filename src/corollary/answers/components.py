@@ -273,7 +273,7 @@ def without_preamble(normalized: str) -> tuple[str, int]:
     return (
         (normalized, 0)
         if "," in normalized.split("=")[0] or len(re.findall(r"[=:]", normalized)) > 1 or _labels(normalized)
-        else answer_in(normalized)
+        else answer_in(normalized)[:2]
     )
 
 

@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 from corollary.answers.answer import Formulas, Unclear
+from corollary.answers.left_side import (
+    as_formula,
+    is_another_given,
+    is_name,
+    named,
+    solvable,
+    unknown_letter,
+)
 from corollary.answers.motion_words import motion_in_number
 from corollary.answers.number_words import product_in_signs
 from corollary.answers.preamble import answer_in
 from corollary.answers.question import Question
 from corollary.answers.remark import remark_in
 from corollary.formula.abbreviations import arity, function_words
+from corollary.formula.arithmetics import DOUBLES, ready
 from corollary.formula.ast import Expr, names
 from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, refused, sentence
@@ -34,31 +44,75 @@ DECIMAL_COMMA = re.compile(
 SEVERAL = re.compile(
     rf"(?<![A-Za-z])(?:{'|'.join(sorted(word for word, name in function_words().items() if arity(name) > 1 or name == 'ln'))})(?![A-Za-z])"
 )
+EQUALS = re.compile(r"[=≈]|\\(?:approx|simeq|sim)\b|\s~\s")
 LOGARITHM = re.compile(r"(?<![A-Za-z])log(?![A-Za-z0-9_])")
 
 
 def formula(text: str, question: Question, lean: Lean = "ask") -> Expr | ParseError:
     """A formula that uses at least one symbol of the problem."""
-    tree = formula_in(text, question.symbol_names, question.unit, lean)
+    tree = formula_in(text, question.symbol_names, question.unit, lean, question)
     if not isinstance(tree, ParseError) and not names(tree) - {"pi"}:
         return refused(_("this has no letters of the problem in it"))
     return tree
 
 
 def formula_in(
-    text: str, letters: Collection[str], unit: Unit | None, lean: Lean = "ask"
+    text: str, letters: Collection[str], unit: Unit | None, lean: Lean = "ask", question: Question | None = None
 ) -> Expr | ParseError:
     """The formula in these letters that a text is; `unit` may stand behind it, being what is asked for."""
+    if len(text) > LONGEST:
+        return parse(text, letters, lean=lean)
+    sides: tuple[str, ...] = ()
+    if EQUALS.search(text):
+        text, _skipped, sides = answer_in(by_hand(text).translate(TO_ASCII))
+    tree = _right_side(text, letters, unit, lean)
+    if isinstance(tree, ParseError):
+        return tree.without_place() if sides else tree
+    return _trouble_with(sides, tree, letters, question) or tree
+
+
+def _right_side(text: str, letters: Collection[str], unit: Unit | None, lean: Lean) -> Expr | ParseError:
     tree = parse(text, letters, lean=lean)
-    if not isinstance(tree, ParseError) or len(text) > LONGEST:
+    if not isinstance(tree, ParseError):
         return tree
-    bare, _skipped = answer_in(motion_in_number(by_hand(text)).translate(TO_ASCII))
+    bare = answer_in(motion_in_number(by_hand(text)).translate(TO_ASCII), in_letters=True).text
     pointed = with_points(bare)
     for candidate in dict.fromkeys((bare, pointed, _in_signs(pointed, letters, unit))):
         again = parse(candidate, letters, lean=lean)
         if not isinstance(again, ParseError) or again.status == "asked":
             return again
     return tree
+
+
+def _trouble_with(
+    sides: Sequence[str], tree: Expr, letters: Collection[str], question: Question | None
+) -> ParseError | None:
+    """What is asked about left sides that are neither a name nor the same formula: `2*p = m*v`, `a^2 + b^2 = c^2`."""
+    if len(sides) == 1 and question is not None and is_another_given(sides[0], question.unit, question):
+        why = _("{letter} is given, and is not what is asked for", letter=sides[0].strip())
+        return ParseError("asked", why, None, _("write the formula alone"))
+    if not sides or named(sides):
+        return None
+    for side in sides:
+        same = parse(side, letters)
+        if isinstance(same, ParseError) or not _same(same, tree):
+            why = _("{side} stands on the left, not the answer alone", side=side)
+            return ParseError("asked", why, None, _("write the formula alone"))
+    return None
+
+
+def _same(one: Expr, other: Expr) -> bool:
+    """True if two formulas agree at three places, which is enough to pass over one of two sides."""
+    letters = sorted((names(one) | names(other)) - {"pi"})
+    for start in (1.3, 0.7, 2.1):
+        values = {name: start + 0.37 * place for place, name in enumerate(letters)}
+        try:
+            first, second = ready(one, DOUBLES)(values), ready(other, DOUBLES)(values)
+        except (ValueError, OverflowError, ZeroDivisionError):
+            continue
+        if not math.isclose(first, second, rel_tol=1e-9, abs_tol=1e-12):
+            return False
+    return True
 
 
 def with_points(formula: str) -> str:
@@ -79,6 +133,8 @@ def _in_signs(text: str, letters: Collection[str], unit: Unit | None) -> str:
 
 def fitting(text: str, question: Question) -> Expr | Unclear | None:
     """Of the readings of `m v cos θ/M`, the one with the dimension asked for; both, when both have it."""
+    if (solved := _solved(text, question)) is not None:
+        return solved
     trees = [formula(text, question, lean) for lean in ("near", "far")]
     good = [
         tree
@@ -90,6 +146,21 @@ def fitting(text: str, question: Question) -> Expr | Unclear | None:
     read = formula(text, question)
     why = sentence(read) if isinstance(read, ParseError) else _("this formula can be read in two ways")
     return Unclear(why, as_typed(text), tuple(formulas(tree) for tree in good))
+
+
+def _solved(text: str, question: Question) -> Unclear | None:
+    """`2*F = m*v/dt`, solved for the letter that is no given; None where the left side is something else."""
+    bare, _skipped, sides = answer_in(by_hand(text).translate(TO_ASCII))
+    found = solvable(sides[0]) if len(sides) == 1 and not is_name(sides[0]) else None
+    tree = _right_side(bare, question.symbol_names, question.unit, "ask") if found else None
+    if found is None or tree is None or isinstance(tree, ParseError) or not unknown_letter(found.name, question):
+        return None
+    alone = as_formula(found, tree)
+    if alone is None or dimension_in(alone, question) != question.unit.dimension:
+        return None
+    read = formula_text(alone)
+    why = _("{side} = {value} gives {name} = {choice}", side=sides[0], value=formula_text(tree), name=found.name, choice=read)
+    return Unclear(f"{why}; {_('write the formula alone')}", as_typed(text), (formulas(alone),), benefit=True)
 
 
 def formulas(*trees: Expr, typed: str = "") -> Formulas:

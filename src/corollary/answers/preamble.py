@@ -1,9 +1,12 @@
-"""What students write around an answer, and the answer between: `≈`, `ca.`, `Δp =`, `p = m v =`, quotation marks."""
+"""Talk around an answer, and its left sides: `≈`, `ca.`, `Δp =`, `p = m v =`, quotation marks."""
 
 from __future__ import annotations
 
 import re
+from typing import NamedTuple
 
+from corollary.answers import trace
+from corollary.answers.left_side import SYMBOL
 from corollary.answers.number_words import NUMBERS
 
 QUOTES = "\"'“”„‟«»‹›`*_"  # also those of Markdown
@@ -21,7 +24,7 @@ TALK = (
 )
 WORDS = "|".join(map(re.escape, sorted(f"{ABOUT} {TALK}".split(), key=len, reverse=True)))
 LABEL = re.compile(r"[a-z][0-9]?\)\s+|\([a-z][0-9]?\)\s*(?=[-+≈=~]?\s*[0-9.,√])")
-NAME = r"(?:(?:delta|Delta|[Δ∆])\s*)?[^\W\d][^\s=≈~+*/^();,:]{0,15}|[|<][^\W\d][^\s|=<>]{0,8}[|>]"
+NAME = rf"{SYMBOL}|\|{SYMBOL}\||<{SYMBOL}>"
 COUNTED = re.compile(
     r"(?:(?:an? |in |on )(?:average|mean|total|maximum|sum)(?: (?:of|is))?"
     r"|im (?:Mittel|Durchschnitt)|i (?:snitt|gjennomsnitt)|insgesamt|totalt)\s+(?=[-+]?[0-9.,])",
@@ -34,7 +37,7 @@ LEADING = (
         r"I (?:get|got|find|found|have) |(?:the )?same as (?:before|in \(?[a-z]\)?)[,:]\s*", re.IGNORECASE
     ),
     re.compile(rf"[=≈~:]\s*|(?:{WORDS})(?![A-Za-z0-9_^*/(]|\s+ganger)\s*", re.IGNORECASE),
-    re.compile(rf"(?:{NAME})\s*(?:[=≈](?!=)|[:~](?=\s*[-+0-9.,√(]))\s*"),
+    re.compile(rf"(?:{NAME})\s*[:~](?=\s*[-+0-9.,√(])\s*"),
 )
 MINUS = re.compile(
     rf"(?:minus|negative)\s+(?=[0-9.,]|(?:{'|'.join(NUMBERS)})\b)|\(-\)\s*(?=[0-9.,])", re.IGNORECASE
@@ -44,9 +47,10 @@ REMARK = (
     r"|(?:to )?[0-9] ?(?:s\.? ?f\.?|sig\.? ?figs?\.?|significant figures|significant digits|figures)"
 )
 ENDING = re.compile(
-    rf"[\s!?;,✅✓✔☑\U0001f300-\U0001faff]+$|(?<=[0-9])…$|\s#[^0-9]*[A-Za-z]{{4}}[^0-9]*$|(?<=[^0-9\s])\.$|(?<=[A-Za-z0-9²³)°%])[\s,;]+\(?(?:{REMARK})\)?$",
+    rf"(?:[\s?;,✅✓✔☑\U0001f300-\U0001faff]|(?<=[^0-9)])!|(?<=[.,][0-9])!|(?<=[.,][0-9]{{2}})!)+$|(?<=[0-9])…$|\s#[^0-9]*[A-Za-z]{{4}}[^0-9]*$|(?<=[^0-9\s])\.$|(?<=[A-Za-z0-9²³)°%])[\s,;]+\(?(?:{REMARK})\)?$",
     re.IGNORECASE,
 )
+CALL = re.compile(r"<[^<>=]{1,12}>|\([^()]*\)")  # `<F>`, `F(y = 0.6 m)`
 SIDES = re.compile(r"[=≈]+\s*|\s~\s+")
 NO_SIDE = re.compile(  # in `3 m/s with g = 9.8` what stands behind the last sign is not the answer
     r"[,;]\s|[?<>≤≥≠:]|\b(?:with|using|where|for|if|when|and|or|taking|as|at|because|since|but|not|mit|med|avec)\b",
@@ -58,44 +62,70 @@ GRAVITY = re.compile(
 )
 
 
-def answer_in(normalized: str) -> tuple[str, int]:
-    """The answer itself, and how many signs stood before it, in a text translated by TO_ASCII (of bounded length)."""
+class Bare(NamedTuple):
+    """An answer without talk: its text, how many signs stood before it, and the sides before its last equals sign."""
+
+    text: str
+    skipped: int
+    sides: tuple[str, ...]
+
+
+def answer_in(normalized: str, *, in_letters: bool = False) -> Bare:
+    """Return the answer itself in a text translated by TO_ASCII (of bounded length).
+
+    `in_letters`: it is a formula, behind which `!` is a factorial and never talk.
+    """
     found = GRAVITY.search(normalized)
     text, before = (normalized[: found.start()] if found and found.start() else normalized), 0
+    if text != normalized:
+        trace.took("split_remark", normalized[len(text) :], text)
+    sides: list[str] = []
     while True:
         shorter = ENDING.sub("", text)
+        if in_letters and "!" in text[len(shorter) :]:
+            shorter = text
         if shorter != text and shorter:
+            trace.took("split_remark", text[len(shorter) :], shorter)
             text = shorter
             continue
         if len(text) > 2 and text[0] in QUOTES and text[-1] in QUOTES:
+            trace.took("strip_preamble", text[0] + text[-1], text[1:-1])
             text, before = text[1:-1], before + 1
             continue
-        skipped = _skipped(text)
+        skipped, found_sides = _skipped(text)
         if skipped == 0:
-            return _with_minus(text), before
+            return Bare(_with_minus(text), before, tuple(sides))
+        sides += found_sides
+        if text[:skipped].strip():
+            trace.took("solve_left_side" if found_sides else "strip_preamble", text[:skipped], text[skipped:])
         text, before = text[skipped:], before + skipped
 
 
-def _skipped(text: str) -> int:
-    """How much of the text leads up to the answer; 0 when nothing does."""
+def _skipped(text: str) -> tuple[int, list[str]]:
+    """How much of the text leads up to the answer, 0 when nothing does; and the sides in it."""
     blank = len(text) - len(text.lstrip())
     if 0 < blank < len(text):
-        return blank
-    if found := MINUS.match(text):
-        return 0
+        return blank, []
+    if MINUS.match(text):
+        return 0, []
     for lead in LEADING:
         if (found := lead.match(text)) and found.end() < len(text):
-            return found.end()
+            return found.end(), []
     return _last_side(text)
 
 
-def _last_side(text: str) -> int:
-    """Where the last side of `p = m v = 8.6` begins; 0 when there is but one, or what stands before is more than a side."""
-    *_, last = [None, *SIDES.finditer(text)]
-    if last is None or last.end() == len(text):
-        return 0
-    sides = text[: last.start()]
-    return 0 if NO_SIDE.search(sides) or sides.count("(") != sides.count(")") else last.end()
+def _last_side(text: str) -> tuple[int, list[str]]:
+    """Where the last side of `p = m v = 8.6` begins, and the sides before it; 0 when there is but one, or a sentence."""
+    found = [each for each in SIDES.finditer(text) if _depth(text[: each.start()]) == 0]
+    if not found or found[-1].end() == len(text):
+        return 0, []
+    starts, ends = [0, *(each.end() for each in found)], [each.start() for each in found]
+    sides = [text[start:end].strip() for start, end in zip(starts, ends, strict=False)]
+    return (0, []) if NO_SIDE.search(CALL.sub("", text[: ends[-1]])) else (found[-1].end(), [side for side in sides if side])
+
+
+def _depth(text: str) -> int:
+    return sum(text.count(sign) for sign in "([{") - sum(text.count(sign) for sign in ")]}")
 
 
 def _with_minus(text: str) -> str:

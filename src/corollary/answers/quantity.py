@@ -9,19 +9,32 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Literal
 
+from corollary.answers import trace
 from corollary.answers.arithmetic_answer import worked_out
 from corollary.answers.components import are_axes, in_one_line, pieces_of, without_preamble
+from corollary.answers.left_side import (
+    gives_what_is_asked,
+    is_another_given,
+    is_name,
+    is_talk,
+    named,
+    solvable,
+    solved_value,
+    unknown_letter,
+)
 from corollary.answers.motion_words import motion_in_number, motion_in_numbers
 from corollary.answers.number_words import in_digits
 from corollary.answers.polar import length_and_angle
-from corollary.answers.preamble import SIDES, answer_in
+from corollary.answers.preamble import answer_in
+from corollary.answers.question import Question
 from corollary.answers.spread import WIDEST, in_brackets, without_spread
 from corollary.answers.unit_meant import unit_meant
+from corollary.formula.ast import Expr
 from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, refused
 from corollary.formula.numerals import LONGEST, TO_ASCII, Written, decimal_text, scan_number
 from corollary.messages import catalogue, in_convention
-from corollary.units.unit import ONE, PURE, Unit, called, show
+from corollary.units.unit import ONE, PURE, Unit, called, read_unit, show
 
 _ = catalogue(__name__)
 
@@ -31,6 +44,10 @@ TABLE = re.compile(r"^\s*\|[^|]*\|[^|]+\|\s*$|\|\s*:?-{3,}", re.MULTILINE)  # of
 TWICE = re.compile(
     r"\s*([^()=]*[^()=\s])\s*(?:\(|[,;]\s*(?:or|i\.e\.|that is)\s)\s*=?\s*([^()=]*[^()=\s])\s*\)?\s*"
 )
+
+GLUED = re.compile(r"(?<=[A-Za-z²³°%])([+-])(?=[0-9.,]+\s*[A-Za-zµ°%])")
+PIECE = re.compile(r"([0-9]+(?:[.,][0-9]+)?)\s*(°|[A-Za-zµ]+)")
+SEVERAL = re.compile(rf"\s*[-+]?(?:{PIECE.pattern}(?:\s+|(?=[0-9]))(?:and\s+|und\s+|og\s+)?)+{PIECE.pattern}\.?\s*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,35 +69,106 @@ class Reading:
     why: str
     as_read: str
     polar: tuple[Reading, Reading] | None = None
+    beside: tuple[Expr, ...] = ()
 
 
-def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
-    """The number and unit a text stands for, or the calculation left standing in it. Without `expected` every unit fits."""
+def read_quantity(
+    text: str, expected: Unit | None, question: Question | None = None
+) -> Reading | ParseError:
+    """The number and unit a text stands for, or the calculation left standing in it. Without `expected` every unit fits.
+
+    With the `question`, a left side that is a formula of its givens is known to stand for the answer.
+    """
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
     typed = motion_in_number(by_hand(text))
-    normalized, skipped = answer_in(typed.translate(TO_ASCII))
+    if typed != text:
+        trace.took("strip_preamble", text, typed)
+    normalized, skipped, sides = answer_in(typed.translate(TO_ASCII))
     if asked := in_brackets(normalized):
         return _placed(asked, skipped, rewritten=text != typed)
     if TABLE.search(typed):
         return refused(_("a table is not read here"), None, _("write one number and a unit"))
     normalized, spread = without_spread(normalized)
+    if spread:
+        trace.took("split_uncertainty", spread, normalized)
     found = _alone(text, normalized, expected)
     if isinstance(found, ParseError):
         return _placed(found, skipped, rewritten=text != typed)
-    if skipped and (other := _otherwise(typed.translate(TO_ASCII)[:skipped], found, expected)):
-        why = _("{one} and {other} are not the same", one=other.as_read, other=found.as_read)
-        return refused(why, None, _("write one number and a unit"))
+    if sides:
+        beside = _beside_sides(sides, found, expected, question)
+        if isinstance(beside, ParseError):
+            return beside
+        found = replace(found, beside=beside)
     if spread and not _is_small(spread, found):
         why = _("an uncertainty of more than a tenth leaves the value open")
         return refused(why, None, _("write one number and a unit"))
     return found
 
 
+def _beside_sides(
+    sides: Sequence[str], last: Reading, expected: Unit | None, question: Question | None
+) -> tuple[Expr, ...] | ParseError:
+    """The formulas of givens among the sides before the last; asks about two values that differ, and about what is no name."""
+    open_sides = [side for side in sides[-MOST_SIDES:] if not (is_name(side) or is_talk(side))]
+    unread: list[str] = []
+    for side in open_sides:
+        value = _number_and_unit(side, side, expected)
+        if isinstance(value, ParseError):
+            value = _worked(side, side, expected)
+        if isinstance(value, ParseError) or (value.fit == "wrong dimension" and solvable(side)):
+            unread.append(side)
+        elif not _agree(value, last):
+            why = _("{one} and {other} are not the same", one=value.as_read, other=last.as_read)
+            return ParseError("asked", why, None, _("write one number and a unit"))
+    wanted = expected or last.unit or PURE
+    if len(sides) == 1 and is_name(sides[0]) and is_another_given(sides[0], wanted, question):
+        why = _("{letter} is given, and is no {wanted}", letter=sides[0].strip(), wanted=show(wanted) or "1")
+        return ParseError("asked", why, None, _("write the answer without it"))
+    stand_for_it = [gives_what_is_asked(side, wanted.dimension, question) for side in unread]
+    if named(sides) or not unread or any(stand_for_it):
+        return tuple(each for each in stand_for_it if not isinstance(each, bool))
+    return _asked_about(unread[0], last, wanted, question)
+
+
+def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | None) -> ParseError:
+    """`2*theta = 180 deg`, solved for its letter and asked about; without a reading where it has no letter to solve for."""
+    why = _("{side} stands on the left, not the answer alone", side=side)
+    found = solvable(side)
+    turns = found is not None and found.function in ("sin", "cos", "tan")
+    if found is None or (found.function and last.unit is not None) or not unknown_letter(found.name, question):
+        return ParseError("asked", why, None, _("write one number and a unit"))
+    value = solved_value(found, in_si(last) if found.function else float(last.value))
+    if value is None:
+        return ParseError("asked", why, None, _("write one number and a unit"))
+    if turns:
+        value, its_unit = math.degrees(value), " deg"
+    else:
+        its_unit = "" if found.function else f" {last.unit.text}" if last.unit is not None else ""
+    choice = f"{decimal_text(Fraction(f'{value:.6g}'), 0)}{its_unit}"
+    why = _("{side} = {value} gives {name} = {choice}", side=side, value=last.as_read, name=found.name, choice=choice)
+    return ParseError("asked", why, None, _("write the answer alone"), (choice,))
+
+
+def _agree(one: Reading, other: Reading) -> bool:
+    """True if two sides are the same value; a bare number may stand for either unit."""
+    if one.unit is not None and other.unit is not None and one.fit == other.fit:
+        return math.isclose(in_si(one), in_si(other), rel_tol=0.05, abs_tol=1e-12)
+    return math.isclose(in_si(one), in_si(other), rel_tol=0.05, abs_tol=1e-12) or math.isclose(
+        one.value, other.value, rel_tol=0.05, abs_tol=1e-12
+    )
+
+
 def _alone(text: str, normalized: str, expected: Unit | None) -> Reading | ParseError:
     """The number, the calculation, or the number said twice, that a text is without what stands around it."""
     normalized = in_digits(normalized, pure=expected is not None and expected.dimension == ONE)
+    if (together := _in_several_units(text, normalized, expected)) is not None:
+        return together
     found = _number_and_unit(text, normalized, expected)
+    if isinstance(found, Reading) and found.fit != "fits" and (spaced := GLUED.sub(r" \1 ", normalized)) != normalized:
+        worked = _worked(text, spaced, expected)  # `9 m-2 cm` is no power of the metre
+        if isinstance(worked, Reading) and worked.fit == "fits":
+            return worked
     twice = _same_twice(normalized, expected) if isinstance(found, ParseError) else None
     if twice is not None:
         return twice
@@ -93,6 +181,33 @@ def _alone(text: str, normalized: str, expected: Unit | None) -> Reading | Parse
     return found
 
 
+def _in_several_units(text: str, normalized: str, expected: Unit | None) -> Reading | None:
+    """The sum of `1 h 30 min`, `5 ft 3 in`, `1 m 20 cm`: each unit smaller than the one before, and each number less than what fills it."""
+    found = SEVERAL.fullmatch(normalized)
+    pieces = PIECE.findall(normalized) if found else []
+    if len(pieces) < 2:
+        return None
+    sign = -1 if normalized.lstrip().startswith("-") else 1
+    units, total = [read_unit(unit) for _number, unit in pieces], Fraction(0)
+    first = units[0]
+    if not isinstance(first, Unit) or first.offset or first.pi != 0 or (expected and first.dimension != expected.dimension):
+        return None
+    figures, before = 0, Fraction(0)
+    for (number, _unit), its_unit in zip(pieces, units, strict=True):
+        read = scan_number(number)
+        if isinstance(read, ParseError) or not isinstance(its_unit, Unit) or its_unit.dimension != first.dimension:
+            return None
+        size = read[0].value * its_unit.factor
+        if before and not (its_unit.factor < before and size < before):
+            return None
+        total, before = total + size, its_unit.factor
+        figures += max(read[0].figures, 1)
+    value = sign * total / first.factor
+    as_read = ("-" if sign < 0 else "") + " ".join(f"{number} {unit}" for number, unit in pieces)
+    read = _reading(text, Written(value, figures, figures), first, expected)
+    return replace(read, as_read=as_read) if isinstance(read, Reading) else None
+
+
 def _is_small(spread: str, found: Reading) -> bool:
     """Whether an uncertainty is at most a tenth of the value: in the value's unit, in one of its own, or in percent."""
     size = _number_and_unit(spread, spread, found.unit)
@@ -103,24 +218,6 @@ def _is_small(spread: str, found: Reading) -> bool:
     if size.unit.text == "%":
         return size.value <= 100 * WIDEST
     return size.fit == "fits" and in_si(size) <= WIDEST * abs(in_si(found))
-
-
-def _otherwise(before: str, last: Reading, expected: Unit | None) -> Reading | None:
-    """A side before the last that is a quantity of its own, and not the same: `9 N = 8.6 N`."""
-    sides = (_number_and_unit(side, side, expected) for side in SIDES.split(before)[-MOST_SIDES:])
-    given = (
-        side
-        for side in sides
-        if isinstance(side, Reading) and side.unit is not None and last.unit is not None
-    )
-    return next(
-        (
-            side
-            for side in given
-            if side.fit == last.fit and not math.isclose(in_si(side), in_si(last), rel_tol=0.05)
-        ),
-        None,
-    )
 
 
 def _same_twice(normalized: str, expected: Unit | None) -> Reading | ParseError | None:
@@ -160,7 +257,9 @@ def _number_and_unit(text: str, normalized: str, expected: Unit | None) -> Readi
     at = end + normalized[end:].index(rest[0])
     if rest[0] in "+-" or (rest[0] in "0123456789" and not re.match(r"1\s*/", rest)):
         return refused(_("one number is enough here"), at, _("work it out and write a number and a unit"))
-    unit = unit_meant(rest.lstrip("*").strip(), expected)
+    if rest == "*":
+        return refused(_("something is missing behind this sign"), at, _("write one number and a unit"))
+    unit = unit_meant(rest.removeprefix("*").strip(), expected)
     return unit.moved(at) if isinstance(unit, ParseError) else _reading(text, number, unit, expected)
 
 

@@ -9,7 +9,7 @@ from corollary.formula.tex import without_tex
 
 MODULE = re.compile(r"(?<![\w.])(?:np|numpy|math|sp|sympy|scipy|ureg|u)\.(?=[A-Za-z])")
 NUMBER = re.compile(
-    r"(?<!\w)(?:float(?:16|32|64|128)?|int(?:32|64)?|mpf|Float|Integer|Decimal)\(\s*[\"']?([^()\"',]*)[\"']?\s*\)"
+    r"(?<!\w)(?:float(?:16|32|64|128)?|mpf|Float|Decimal|(?:int(?:32|64)?|Integer)(?=\(\s*[\"']?[-+]?[0-9]+[\"']?\s*\)))\(\s*[\"']?([^()\"',]*)[\"']?\s*\)"
 )
 FRACTION = re.compile(r"(?<!\w)(?:Fraction|Rational)\(\s*(-?[0-9]+)\s*,\s*([0-9]+)\s*\)")
 ARRAY = re.compile(

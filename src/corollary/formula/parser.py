@@ -59,6 +59,8 @@ def _formula(line: Line, least: int) -> Expr:
             tree, grows = Relation(token.text, tree, _formula(line, COMPARE)), None
         elif token.kind == "sign" and token.text in "+-" and least < ADD:
             line.take()
+            if line.student and line.next.kind == "sign" and line.next.text in "+-" and line.next.text != token.text and line.next.tight:
+                refuse(_("+- can be ± or minus"), token.at, _("write one sign"))
             term = _formula(line, ADD)
             term = Negative(term) if token.text == "-" else term
             tree, grows = (

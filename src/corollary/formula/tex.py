@@ -112,7 +112,7 @@ def _expanded(text: str, depth: int) -> str:
                 its_unit, rest = _argument(rest)
                 done += f"{_expanded(inner, depth + 1)} {_expanded(its_unit, depth + 1)}"
             case None:
-                done += found[2] if found[2] in "%|{}" else " "
+                done += {"{": "(", "}": ")", "%": "%", "|": "|"}.get(found[2], " ")
             case _ if name in WRAPPED:
                 inner, rest = _argument(rest)
                 done += _expanded(inner, depth + 1)
@@ -127,14 +127,21 @@ def _expanded(text: str, depth: int) -> str:
 
 
 def _round_brackets(text: str) -> str:
-    """Curly brackets group: after ^ they become round ones, an index keeps them, others are left out."""
+    """Curly brackets group: after ^, and around a sum, they become round ones, an index keeps them, others are left out."""
     text = INDEX.sub("_\0\\1\1", text.replace("\0", "").replace("\1", ""))
     text = re.sub(
         r"\^\s*\{([^{}]*)\}",
         lambda found: f"^{found[1]} " if NUMERIC_POWER.fullmatch(found[1]) else f"^({found[1]})",
         text,
     )
-    return re.sub(r"(?<!\^)\{([^{}]*)\}", r"\1", text).replace("\0", "{").replace("\1", "}")
+    return re.sub(r"(?<!\^)\{([^{}]*)\}", _grouped, text).replace("\0", "{").replace("\1", "}")
+
+
+def _grouped(found: re.Match[str]) -> str:
+    """A group as it is read: a sum beside a factor keeps its brackets."""
+    before, behind = found.string[: found.start()].rstrip()[-1:], found.string[found.end() :].lstrip()[:1]
+    beside = before.isalnum() or before in (")", "*", "/") or behind.isalnum() or behind in ("(", "*", "/", "^")
+    return f"({found[1]})" if beside and re.search(r"[^\s(]\s*[-+]", found[1]) else found[1]
 
 
 def _argument(text: str) -> tuple[str, str]:

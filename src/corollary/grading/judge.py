@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
@@ -14,6 +15,7 @@ from corollary.answers.letters import in_letters
 from corollary.answers.questions import question_in
 from corollary.answers.registry import BUILT_IN, answer_type, judging
 from corollary.answers.verdict import Follows, Right, Slip, Unmarked, Unread, Verdict
+from corollary.formula.text import text as formula_text
 from corollary.formula.value import Nothing, Value
 from corollary.grading.expected import expected_of
 from corollary.grading.follow_through import same_as
@@ -151,6 +153,13 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
                 )
             end = "" if why.endswith((".", "?")) else "."
             return Unread(_("This could not be read: {why}", why=why + end))
+        case Numbers(values=(value,), beside=beside) if beside and expected.quantity is not None:
+            for tree in beside:
+                found = values_of((tree,), expected.quantity.givens())
+                if found is not None and not math.isclose(found[0], value, rel_tol=0.05, abs_tol=1e-12):
+                    why = _("{formula} does not come to {answer}", formula=formula_text(tree), answer=answer.as_read)
+                    return Unread(_("This could not be read: {why}", why=f"{why}; {_('write the answer alone')}."))
+            return judging(name).judge(answer, expected)
         case _:
             return judging(name).judge(answer, expected)
 

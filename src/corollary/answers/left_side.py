@@ -1,0 +1,192 @@
+"""Left sides of an answer: a name is passed over, a factor or one function is solved, anything else is asked about."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from itertools import product
+
+from corollary.answers.question import Question
+from corollary.formula.abbreviations import function_words
+from corollary.formula.ast import Expr, Number, Product, Quotient
+from corollary.formula.ast import names as letters_of
+from corollary.formula.errors import ParseError
+from corollary.formula.symbols import GREEK, LOWERED
+from corollary.formula.syntax import parse
+from corollary.units.dimensional_analysis import dimension_of
+from corollary.units.unit import ONE, Dimension, Unit, unit
+
+MARKS = "̄⃗̂̇̃̅"  # bars, arrows, hats and dots above a letter
+INDEX = r"(?:_\{[^{}=]{1,16}\}|_\([^()=]{1,16}\)|\[[0-9A-Za-z]{1,2}\]|[^\W²³¹⁰⁴-⁹⁻]|[₀-₉ₐ-ₜ]|['*⁎])"
+SYMBOL = (
+    rf"(?:(?:delta|Delta|[Δ∆∑ΣδdD])\s*(?=[^\W\d_]))?[^\W\d_][{MARKS}]*{INDEX}{{0,15}}[{MARKS}]*(?:-[^\W\d_]{{3,12}})?"
+    r"(?:,[^\W\d_]{1,3})?"
+)
+# `v(t)`, `F(y = 0.6 m)`: a function of its own letter, which is a name; `m(v + w)` is a product.
+CALLED = r"(?:\s*\((?:[txyz0]|\s*[^\W\d_]\w*\s*=[^()=]*)\))?"
+NAME = re.compile(rf"\s*(?:{SYMBOL}{CALLED}|\|\|?\s*{SYMBOL}\s*\|\|?|<\s*{SYMBOL}\s*>|⟨\s*{SYMBOL}\s*⟩|\[{SYMBOL}\])\s*")
+WORD = re.compile(rf"{SYMBOL}|\([^\W\d_]\w?\)|[^\W\d_]+['’.]?s?")
+NUMBER = r"[0-9]+(?:[.,][0-9]+)?(?:\s*/\s*[0-9]+)?"
+MULTIPLE = re.compile(
+    rf"\s*(?P<sign>[-+]?)\s*(?:(?P<factor>{NUMBER})\s*\*?\s*)?(?P<name>{SYMBOL}?)(?:\s*/\s*(?P<divisor>[0-9]+(?:[.,][0-9]+)?)|\s*\*\s*(?P<behind>{NUMBER}))?\s*"
+)
+INVERSE = re.compile(rf"\s*1\s*/\s*(?P<name>{SYMBOL})\s*")
+CALL = re.compile(
+    rf"\s*(?P<function>[A-Za-z]{{2,6}}(?:10)?|√)\s*(?:\(\s*(?P<inside>{SYMBOL})\s*\)|\s(?P<bare>{SYMBOL})|(?<=√)(?P<root>{SYMBOL}))\s*"
+)
+CHANGE = re.compile(
+    r"\b(?:change|changes|difference|increase|decrease|gain|loss|impulse|änderung|\w*änderung|differenz|zunahme|abnahme|kraftstoß|endring|forskjell)\b",
+    re.IGNORECASE,
+)
+DIFFERENCE = re.compile(rf"\s*(?P<one>{SYMBOL})\s*-\s*(?P<other>{SYMBOL})\s*")
+# What a letter usually stands for, where nobody says: only to tell `m v = 8.6 kg m/s` (its formula) from `F dt = 86 N`.
+CUSTOMARY: dict[str, str] = {
+    "m": "kg", "M": "kg", "v": "m/s", "u": "m/s", "w": "m/s", "V": "m/s", "t": "s", "T": "s", "F": "N", "N": "N", "a": "m/s^2", "g": "m/s^2",
+    "p": "kg*m/s", "P": "kg*m/s", "J": "kg*m/s", "E": "J", "K": "J", "U": "J", "W": "J", "Q": "J", "h": "m", "s": "m", "x": "m", "y": "m",
+    "d": "m", "L": "m", "l": "m", "r": "m", "R": "m", "k": "N/m", "omega": "rad/s", "I": "kg*m^2",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """A left side in one unknown letter: `name` is `factor` times the right side, after the inverse of `function`."""
+
+    name: str
+    factor: Fraction = Fraction(1)
+    function: str = ""
+
+
+def is_name(side: str) -> bool:
+    """True for one letter or name, with Δ, an index, bars or its argument: `Δp`, `v_B'`, `|F|`, `x(t)`; not for a function."""
+    found = NAME.fullmatch(side)
+    return found is not None and side.partition("(")[0].strip() not in function_words()
+
+
+def is_talk(side: str) -> bool:
+    """True for words such as `change in momentum`; a function's name (`sin theta`) or letters side by side (`m v`) are none."""
+    words = side.replace(",", " ").split()
+    if not all(WORD.fullmatch(word) for word in words) or set(words) & function_words().keys():
+        return False
+    return any(len(word) > 2 and word.isalpha() and word not in GREEK.values() for word in words)
+
+
+def solvable(side: str) -> Solved | None:
+    """The one letter of a left side that is a multiple, a reciprocal or an invertible function of it."""
+    if (found := INVERSE.fullmatch(side)) is not None:
+        return Solved(found["name"], function="1/")
+    if (found := MULTIPLE.fullmatch(side)) is not None and found["name"]:
+        if found["factor"] and found["behind"]:
+            return None
+        size = _ratio(found["factor"] or found["behind"] or "1") / _ratio(found["divisor"] or "1")
+        size = -size if found["sign"] == "-" else size
+        return Solved(found["name"], 1 / size) if size and not _is_function(found["name"]) else None
+    if (found := CALL.fullmatch(side)) is not None:
+        function = "sqrt" if found["function"] == "√" else function_words().get(found["function"], "")
+        name = found["inside"] or found["bare"] or found["root"]
+        return Solved(name, function=function) if function in INVERSES and not _is_function(name) else None
+    return None
+
+
+INVERSES = {
+    "sin": math.asin, "cos": math.acos, "tan": math.atan, "ln": math.exp, "log10": lambda value: 10.0**value, "exp": math.log,
+    "sqrt": lambda value: value**2 if value >= 0 else math.nan, "1/": lambda value: 1 / value,
+}  # fmt: skip
+
+
+def solved_value(found: Solved, value: float) -> float | None:
+    """The letter's value for this value of the left side; None where it has none. Angles come in radians."""
+    try:
+        result = INVERSES[found.function](value) if found.function else value
+    except (ValueError, OverflowError, ZeroDivisionError):
+        return None
+    result = float(result) * float(found.factor)
+    return result if math.isfinite(result) else None
+
+
+def gives_what_is_asked(side: str, expected: Dimension, question: Question | None) -> Expr | bool:
+    """The formula of the givens alone that stands for the answer; True for a product in customary letters of its dimension."""
+    if question is not None and CHANGE.search(question.title) and (between := DIFFERENCE.fullmatch(side)):
+        one, other = (re.sub(rf"[\W\d_{''.join(LOWERED)}].*", "", between[each].strip()) for each in ("one", "other"))
+        return bool(one) and one[0] == other[:1]
+    givens = question.dimensions if question is not None else {}
+    tree = parse(side, givens) if givens else None
+    if tree is not None and not isinstance(tree, ParseError) and letters_of(tree) - {"pi"}:
+        return tree if dimension_of(tree, givens) == expected else False
+    names = _letters_in(side, givens)
+    tree = parse(side, names)
+    if isinstance(tree, ParseError) or not isinstance(tree, Product | Quotient):
+        return False
+    used = sorted(letters_of(tree) - {"pi"})
+    if len(used) < 2:
+        return False
+    if isinstance(tree, Quotient) and expected == ONE and len({_base(name) for name in used}) == 1:
+        return True  # K_B/K_A
+    return any(
+        dimension_of(tree, {**dict(zip(used, each, strict=True)), **givens}) == expected
+        for each in product(*(_customary(name) for name in used))
+    )
+
+
+def _letters_in(side: str, givens: Mapping[str, Dimension]) -> Collection[str]:
+    """The names a left side may be made of: the givens, and each run of letters with its index, or its letters one by one."""
+    found = set(givens)
+    for run in re.findall(rf"(?:(?:delta|Delta|[Δ∆])\s*)?[^\W\d_](?:_\{{\w+\}}|\w)*", side):
+        name = re.sub(r"[^A-Za-z0-9_]", "", "".join(GREEK.get(each, LOWERED.get(each, each)) for each in run))
+        if name in function_words() or name == "pi":
+            continue
+        found |= {name} if "_" in name or re.search(r"\d$|^Delta|^d[a-z]$", name) or name in GREEK.values() else set(name)
+    return found
+
+
+def _base(name: str) -> str:
+    name = re.sub(r"^(?:Delta|delta|d(?=[A-Za-z]))", "", name)
+    return next((word for word in sorted(set(GREEK.values()), key=len, reverse=True) if name.startswith(word)), name[:1])
+
+
+def _customary(name: str) -> tuple[Dimension, ...]:
+    return (_dimensions()[base],) if (base := _base(name)) in CUSTOMARY else ()
+
+
+@cache
+def _dimensions() -> dict[str, Dimension]:
+    return {name: unit(text).dimension for name, text in CUSTOMARY.items()}
+
+
+def _is_function(name: str) -> bool:
+    return name.strip() in function_words()
+
+
+def _ratio(text: str) -> Fraction:
+    above, _, below = text.replace(",", ".").replace(" ", "").partition("/")
+    return Fraction(above) / Fraction(below or "1") if Fraction(below or "1") else Fraction(0)
+
+
+def unknown_letter(name: str, question: Question | None) -> bool:
+    """True if a letter is none of the givens, so that it can stand for the answer."""
+    plain = re.sub(r"[^A-Za-z0-9]", "", "".join(GREEK.get(each, LOWERED.get(each, each)) for each in name))
+    return question is not None and plain not in {each.replace("_", "") for each in question.symbol_names}
+
+
+def is_another_given(side: str, wanted: Unit, question: Question | None) -> bool:
+    """True for the letter of a given that measures something else than is asked for: `m = 86 N`."""
+    found = {symbol.name.replace("_", ""): symbol.unit for symbol in question.symbols} if question else {}
+    its_unit = found.get(side.strip().replace("_", ""))
+    return its_unit is not None and its_unit.dimension != wanted.dimension
+
+
+def as_formula(found: Solved, tree: Expr) -> Expr | None:
+    """The formula of the letter, where the left side is a multiple of it."""
+    if found.function:
+        return None
+    top, bottom = Number(Fraction(found.factor.numerator)), Number(Fraction(found.factor.denominator))
+    scaled = tree if top.value == 1 else Product((top, tree))
+    return scaled if bottom.value == 1 else Quotient(scaled, bottom)
+
+
+def named(sides: Sequence[str]) -> bool:
+    """True if one of the sides is a name or talk: then the last side is its value."""
+    return any(is_name(side) or is_talk(side) for side in sides)

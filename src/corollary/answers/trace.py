@@ -1,0 +1,41 @@
+"""Trace of a reading: the stages an answer's text went through, what each took and what it left."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+
+STAGES = (
+    "strip_preamble", "solve_left_side", "split_remark", "split_uncertainty", "apply_direction", "parse_number", "parse_unit", "parse_formula",
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Stage:
+    """One stage: its name, the text it took, and what it left to the next."""
+
+    stage: str
+    took: str
+    left: str
+
+
+_stages: ContextVar[list[Stage] | None] = ContextVar("stages", default=None)
+
+
+@contextmanager
+def recorded() -> Iterator[list[Stage]]:
+    """Record the stages of the readings within."""
+    stages: list[Stage] = []
+    token = _stages.set(stages)
+    try:
+        yield stages
+    finally:
+        _stages.reset(token)
+
+
+def took(stage: str, text: str, left: str) -> None:
+    """Note what a stage took, where somebody records."""
+    if (stages := _stages.get()) is not None:
+        stages.append(Stage(stage, text.strip(), left.strip()))
