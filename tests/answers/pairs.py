@@ -257,7 +257,7 @@ FAMILIES = [
         "m0 u v",
         POSITIVE,
         ["m0 e^(-u/v)", "m0/exp(u/v)", "m0 exp(-u/(2v))^2"],
-        ["m0 e^(u/v)", "m0 e^-u/v", "m0(1-u/v)", "m0 exp(-v/u)"],
+        ["m0 e^(u/v)", "m0 (e^-u)/v", "m0(1-u/v)", "m0 exp(-v/u)"],
     ),
     (
         "sqrt(v^2 + k*d^2/m)",

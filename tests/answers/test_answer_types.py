@@ -93,7 +93,7 @@ def test_nothing_is_blank(part, given):
         (VALUE, items(1.0, 2.0), "one number"),
         (VALUE, Text("rather a lot"), ""),
         (VALUE, Text("8.6 furlong"), "furlong"),
-        (VALUE, Text("3 m - 4 m"), ""),
+        (VALUE, Text("3 m - 4 s"), ""),
         (VALUE, Refused("it is a set", "{…}"), "a set"),
         (VALUE, Text("m + v"), ""),
         (PLANE, Real(1.0), "list"),

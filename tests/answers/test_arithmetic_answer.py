@@ -63,7 +63,7 @@ def test_it_is_worked_out(typed, value, its_unit):
 @pytest.mark.parametrize(
     "typed",
     [
-        "3 m - 4 m",
+        "3 m - 4 s",
         "8-9",
         "cos(30)",
         "1/0",
@@ -79,9 +79,7 @@ def test_it_is_worked_out(typed, value, its_unit):
         "--3 N",
         "2*--3",
         "10^10^9 m",
-        "2 ½",
         "[2*3]",
-        "|2*3|",
         "cos(-30)",
         "5 °C * 2",
         "",

@@ -42,7 +42,7 @@ def test_none_that_fits_is_none():
 
 
 def test_words_around_a_formula_are_left_out():
-    for typed in ("p = m v", "Answer: m v", "p_1 - p_0 = m*v", r"$\Delta p = m\,v$", "≈ m v."):
+    for typed in ("p = m v", "Answer: m v", "Δp = p_1 - p_0 = m*v", r"$\Delta p = m\,v$", "≈ m v."):
         found = formula(typed, QUESTION)
         assert isinstance(found, Expr)
         assert text(found) == "m*v"

@@ -106,7 +106,7 @@ def test_si_as_a_float():
 @pytest.mark.parametrize(
     "text",
     [
-        "3 m - 4 m",
+        "3 m - 4 s",
         "nan m",
         "inf m",
         "1e400 m",
@@ -118,7 +118,6 @@ def test_si_as_a_float():
         "m",
         "8.6 n s",
         "5 dB",
-        "1.5 e-3",
         "1e300 km^9",
     ],
 )

@@ -86,4 +86,4 @@ def test_braces_however_deep_end_soon(before, behind):
 
 
 def test_a_sign_alone_behind_a_backslash_is_that_sign():
-    assert without_tex(r"5 \% of \{x\|y\}") == "5 % of x|y"
+    assert without_tex(r"5 \% of \{x\|y\}") == "5 % of (x|y)"

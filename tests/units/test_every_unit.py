@@ -35,10 +35,22 @@ IN_PINT = {
     "T": "tesla",
     "F": "farad",
     "C": "coulomb",
+    "kn": "knot",
+    "c": "speed_of_light",
+    "oz": "ounce",
+    "gal": "gallon",
+    "cc": "cubic_centimeter",
+    "in": "inch",
+    "M": "molar",
+    "rem": "rem",
 }
 OF_PINT = {  # pint has no torr, 760 of which are an atmosphere, and the parsec of before 2015
     "torr": (101325 / 760, "pascal"),
     "parsec": (648000 / math.pi, "astronomical_unit"),
+    "dpt": (1, "1/meter"),  # in pint a tenth of a pint
+    "ppb": (1e-9, "dimensionless"),
+    "‰": (1e-3, "dimensionless"),
+    "gauss": (1e-4, "tesla"),  # in pint a unit of another system
 }
 NAMES = [row[0].split()[0] for row in ROWS]
 

@@ -25,6 +25,6 @@ def test_words_are_units(typed, meant):
     assert (found.dimension, found.factor) == (unit(meant).dimension, unit(meant).factor)
 
 
-@pytest.mark.parametrize("typed", ["(m/s)^2", "apples", "per", "N-", "J/kg m"])
+@pytest.mark.parametrize("typed", ["apples", "per", "N-", "J/kg m"])
 def test_what_is_none_or_two(typed):
     assert isinstance(read_unit(typed), ParseError)

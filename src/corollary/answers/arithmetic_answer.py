@@ -27,6 +27,7 @@ from corollary.units.unit import ONE, Unit, read_unit, si_unit
 
 _ = catalogue(__name__)
 
+ROUNDING = 4e-16
 LARGEST_FACTORIAL = 20
 NUMBER = re.compile(r"[0-9.,]")
 WORD = re.compile(r"π|(?P<short>(?P<letters>[A-Za-z]+)[0-9]*)[A-Za-z]*")
@@ -38,7 +39,10 @@ BRACKET = re.compile(
 ANGLE = re.compile(r"\s*(°|º|deg(?:rees?)?(?![A-Za-z])|rad(?![A-Za-z]))")
 UNIT_POWER = r"[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9]+|[({][+-]?[0-9./]+[)}])|-?[0-9](?![0-9.,])"
 RANGE = re.compile(r"\s*(?P<low>[0-9]+(?:[.,][0-9]+)?)\s*(?:-|\.\.)\s*(?P<high>[0-9]+(?:[.,][0-9]+)?)\s*(?:[A-Za-zµ°%]|$)")  # `8-9 N`
-FACTOR_ENDS = frozenset({"number", "name", "unit", "degree", "close"})
+FACTOR_ENDS = frozenset({"number", "name", "unit", "degree", "close", "e", "bar"})
+EULER = re.compile(r"e(?![A-Za-z0-9_])")
+IN_BRACKETS = re.compile(r"\s*\*?\s*(?P<unit>\([A-Za-zµΩ°(][^,;=]*)\s*")
+BELOW_BRACKET = re.compile(r"\s*/\s*(?P<unit>[A-Za-zµΩ][^,;=+]*)\s*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,27 +54,28 @@ class Worked:
 
 
 @cache
-def _units_behind(functions: tuple[str, ...]) -> re.Pattern[str]:
+def _units_behind(functions: tuple[str, ...], euler: bool = False) -> re.Pattern[str]:
     """Units behind a factor: `kg`, `m/s^2`, `* m/(kg s)`. A function of several numbers (min) is one before its bracket only."""
     known = function_words()
     words = [
         rf"{word}(?=\s*\()" if word in ABBREVIATIONS or arity(known[word]) > 1 else word for word in functions
     ]
     word = (
-        rf"(?!(?:{'|'.join(sorted((*words, 'pi'), key=len, reverse=True))})(?![A-Za-z]))[A-Za-zµμΩΩÅ]++|[°º%]"
+        rf"(?!(?:{'|'.join(sorted((*words, 'pi', *(('e',) if euler else ())), key=len, reverse=True))})(?![A-Za-z]))[A-Za-zµμΩΩÅ]++|[°º%]"
     )
     symbol = rf"(?:{word})(?:{UNIT_POWER})?"
     below = rf"\s*/\s*\(\s*{symbol}(?:\s*\*?\s*{symbol})*\s*\)"
     return re.compile(rf"\s*\*?\s*{symbol}(?:\s*[*/]?\s*{symbol}|{below})*")
 
 
-def worked_out(normalized: str) -> Worked | ParseError:
+def worked_out(normalized: str, *, euler: bool = False) -> Worked | ParseError:
     """Sums, products, quotients, powers and roots of numbers; `normalized` is translated by TO_ASCII and bounded.
 
-    One unit at the very end is that of the result; otherwise each unit belongs to the number before it.
+    One unit at the very end is that of the result; otherwise each unit belongs to the number before it. `euler`: a lone `e`
+    is Euler's number and not the elementary charge.
     """
     units: dict[str, Unit] = {}
-    read = tokens(normalized, _no_letters, read_first=lambda text, at, before: _sign(text, at, before, units))
+    read = tokens(normalized, _no_letters, read_first=lambda text, at, before: _sign(text, at, before, units, euler))
     if isinstance(read, ParseError):
         return read
     if (found := RANGE.match(normalized)) and _number(found["low"]) < _number(found["high"]):
@@ -98,6 +103,8 @@ def worked_out(normalized: str) -> Worked | ParseError:
         value = math.nan
     if not math.isfinite(value):
         return refused(_("this calculation has no value"))
+    if abs(value) < ROUNDING * max((abs(node.value) for node in walk(tree) if isinstance(node, Number)), default=1) and _has_angle(tree):
+        value = 0.0  # cos(90°) is 0, not 6e-17
     if at_the_end:
         return Worked(value, units[sized[0].text])
     of_value = sized or any(_outside_functions(read))  # the 30° of cos(30°) are no unit of the value
@@ -106,10 +113,12 @@ def worked_out(normalized: str) -> Worked | ParseError:
 
 def _sum_at_the_top(signs: list[Token]) -> bool:
     """Whether two terms stand side by side without a bracket around them: `3 m - 4 m`."""
-    depth = 0
+    depth, bars = 0, 0
     for before, sign in pairwise(signs):
         depth += (before.kind == "open") - (before.kind == "close")
-        if depth == 0 and sign.text in ("+", "-") and before.kind in FACTOR_ENDS:
+        if before.kind == "bar":
+            bars = 1 - bars
+        if bars == depth == 0 and sign.text in ("+", "-") and before.kind in FACTOR_ENDS:
             return True
     return False
 
@@ -134,18 +143,24 @@ def _bare_angle(tree: Expr) -> str:
     """A function of an angle that is given a bare number, `cos(30)`; "" when there is none."""
     for node in walk(tree):
         match node:
-            case Call(function, (Number() | Negative(Number()),)) if FUNCTIONS[function].angle:
+            case Call(function, (Number(value) | Negative(Number(value)),)) if FUNCTIONS[function].angle and value:
                 return function
             case _:
                 continue
     return ""
 
 
+def _has_angle(tree: Expr) -> bool:
+    return any(isinstance(node, Call) and FUNCTIONS[node.function].angle for node in walk(tree))
+
+
 def _no_letters(run: str, at: int) -> ParseError:
     return refused(_("a number is missing here"), at, _("begin with digits, such as 8.6"))
 
 
-def _sign(text: str, at: int, before: list[Token], units: dict[str, Unit]) -> Found | ParseError | None:
+def _sign(
+    text: str, at: int, before: list[Token], units: dict[str, Unit], euler: bool
+) -> Found | ParseError | None:
     """The sign of a calculation at one place, with those before it; None for one that every formula may have."""
     last = before[-1].kind if before else "sign"
     of_function = len(before) > 1 and before[-2].kind == "function" and before[-2].text != "sqrt"
@@ -160,12 +175,17 @@ def _sign(text: str, at: int, before: list[Token], units: dict[str, Unit]) -> Fo
     if (
         last in FACTOR_ENDS
         and last != "unit"
-        and (found := _units_behind(tuple(function_words())).match(text, at))
+        and (found := _units_behind(tuple(function_words()), euler).match(text, at))
     ):
         unit = read_unit(found[0].strip().lstrip("*"))
         if isinstance(unit, Unit):
             units[unit.text] = unit
             return [Token("unit", unit.text, at, True)], found.end()
+    if last in FACTOR_ENDS and last != "unit" and (at_end := _unit_at_the_end(text, at, last)) is not None:
+        units[at_end.text] = at_end
+        return [Token("unit", at_end.text, at, True)], len(text)
+    if euler and (constant := EULER.match(text, at)):
+        return [Token("e", "e", at, text[at - 1 : at] != " ")], constant.end()
     if last == "sign" and before and before[-1].text == "^" and EXPONENT.match(text, at):
         return None  # `2^3*10^-3`: here a number ends before its power of ten
     if text[at] == "!" and last == "number":
@@ -195,9 +215,17 @@ def _sign(text: str, at: int, before: list[Token], units: dict[str, Unit]) -> Fo
     tower = (
         last == "number" and RAISED.match(text, at) and RAISED.search(before[-1].text)
     )  # 10^10^9 is not (10^10)^9
-    if twice or beside or tower or text[at] in "[]{}|°º":
+    if twice or beside or tower or text[at] in "[]{}°º":
         return refused(_("one number is enough here"), at, _("work it out and write a number and a unit"))
     return None
+
+
+def _unit_at_the_end(text: str, at: int, last: str) -> Unit | None:
+    """A unit in brackets, or below a slash, that ends the text: `(3/2)*(m/s)`, `(-36 kJ)/mol`."""
+    found = IN_BRACKETS.fullmatch(text, at)
+    below = BELOW_BRACKET.fullmatch(text, at) if last == "close" else None
+    unit = read_unit(found["unit"]) if found else read_unit(f"1/{below['unit']}") if below else None
+    return unit if isinstance(unit, Unit) else None
 
 
 def _factorial(before: list[Token], at: int) -> Found | ParseError:

@@ -31,7 +31,7 @@ LARGE = r"(?:as\s+)?(?:much|large|big|great|high|fast|strong|heavy|long|many|lar
 SMALL = r"(?![^0-9]*\b(?:small|less|slow|low|klein|wenig|langsam|kurz|liten|lite|mindre|sakte))"
 BESIDE = rf"{SMALL}(?:\s+{LARGE}(?:\s+(?:as|than|for)\b[^0-9]{{0,60}})?|\s+(?:of|that of)\b[^0-9]{{0,60}}|\s+(?:the|that|its|so|så)\b[^0-9]{{0,60}})?"
 TIMES = re.compile(
-    rf"\s*{ABOUT}({DIGITS}(?:/{DIGITS})?)\s*(?:x|\*|times|-?fold|mal|fois|ganger)(?:{BESIDE})\s*",
+    rf"\s*{ABOUT}({DIGITS}(?:/{DIGITS})?)\s*(?:x|times|-?fold|mal|fois|ganger)(?:{BESIDE})\s*",
     re.IGNORECASE,
 )
 NUMBER_TIMES = re.compile(

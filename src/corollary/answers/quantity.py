@@ -34,7 +34,7 @@ from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, refused
 from corollary.formula.numerals import LONGEST, TO_ASCII, Written, decimal_text, scan_number
 from corollary.messages import catalogue, in_convention
-from corollary.units.unit import ONE, PURE, Unit, called, read_unit, show
+from corollary.units.unit import ONE, PURE, Dimension, Unit, called, read_unit, show
 
 _ = catalogue(__name__)
 
@@ -45,6 +45,8 @@ TWICE = re.compile(
     r"\s*([^()=]*[^()=\s])\s*(?:\(|[,;]\s*(?:or|i\.e\.|that is)\s)\s*=?\s*([^()=]*[^()=\s])\s*\)?\s*"
 )
 
+CHARGE, CHARGED = Dimension.of("A s"), re.compile(r"(?<![A-Za-z])(?:[pnumk]?C|e|[mkMGT]?eV)(?![A-Za-z])")
+EULER = re.compile(r"(?<![A-Za-z_.])e(?![A-Za-z0-9_+])(?!-[0-9])|(?<![A-Za-z_.0-9])e(?=\s*(?:\^|\*\*|[⁻⁰¹²³⁴-⁹]))")
 GLUED = re.compile(r"(?<=[A-Za-z²³°%])([+-])(?=[0-9.,]+\s*[A-Za-zµ°%])")
 PIECE = re.compile(r"([0-9]+(?:[.,][0-9]+)?)\s*(°|[A-Za-zµ]+)")
 SEVERAL = re.compile(rf"\s*[-+]?(?:{PIECE.pattern}(?:\s+|(?=[0-9]))(?:and\s+|und\s+|og\s+)?)+{PIECE.pattern}\.?\s*")
@@ -164,6 +166,10 @@ def _alone(text: str, normalized: str, expected: Unit | None) -> Reading | Parse
     normalized = in_digits(normalized, pure=expected is not None and expected.dimension == ONE)
     if (together := _in_several_units(text, normalized, expected)) is not None:
         return together
+    if expected is not None and EULER.search(normalized) and not _of_charge(expected):
+        worked = _worked(text, normalized, expected, euler=True)
+        if isinstance(worked, Reading):
+            return worked
     found = _number_and_unit(text, normalized, expected)
     if isinstance(found, Reading) and found.fit != "fits" and (spaced := GLUED.sub(r" \1 ", normalized)) != normalized:
         worked = _worked(text, spaced, expected)  # `9 m-2 cm` is no power of the metre
@@ -263,8 +269,15 @@ def _number_and_unit(text: str, normalized: str, expected: Unit | None) -> Readi
     return unit.moved(at) if isinstance(unit, ParseError) else _reading(text, number, unit, expected)
 
 
-def _worked(text: str, normalized: str, expected: Unit | None) -> Reading | ParseError:
-    found = worked_out(normalized.translate(ROUND))
+def _of_charge(expected: Unit) -> bool:
+    """True where a charge or an energy in electronvolts is asked for: there `e` is the elementary charge."""
+    return expected.dimension == CHARGE or CHARGED.search(expected.text) is not None
+
+
+def _worked(
+    text: str, normalized: str, expected: Unit | None, *, euler: bool = False
+) -> Reading | ParseError:
+    found = worked_out(normalized.translate(ROUND), euler=euler)
     if isinstance(found, ParseError):
         return found
     number = Written(Fraction(f"{found.value:.15g}"), 0, 0)

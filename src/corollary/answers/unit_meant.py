@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from fractions import Fraction
 
 from corollary.formula.errors import ParseError, ambiguous
 from corollary.messages import catalogue
 from corollary.units.run_together import WORD, in_capitals, other_cases
-from corollary.units.table import UNSUGGESTED
+from corollary.units.table import UNITS, UNSUGGESTED
 from corollary.units.unit import Unit, called, read_unit, show
 
 _ = catalogue(__name__)
 
-PLURAL = re.compile(r"(?<![A-Za-z])[Kk]gs(?![A-Za-z])")
+PLURAL = re.compile(r"(?<![A-Za-z])([A-Za-zµ]{2,})s(?![A-Za-z])")
+IN = re.compile(r"in\s+(?=\S)")
+# A temperature as it is typed in a hurry: `25 ⁰C` with a raised zero, `25 oC`, `25 C°`, `77 F`.
+DEGREE = re.compile(r"\s*(?:[⁰oO0]\s?|[°º]\s?|deg\s?)?(?P<scale>[CF])\s*[°º]?\s*|\s*(?:[°º⁰]|deg(?:rees?)?)\s*")
 UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")
 HERTZ, RADIANS = re.compile(r"Hz\b"), re.compile(r"\brad\b")
 METRES = re.compile(r"(?<![A-Za-z])ms(?=\s?[\^⁻*-])")
@@ -21,7 +25,15 @@ METRES = re.compile(r"(?<![A-Za-z])ms(?=\s?[\^⁻*-])")
 
 def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
     """The unit; where it has several readings, as `ms^-1` or `Ns (newton seconds)`, the one that measures what is asked for."""
+    if expected is not None and (of_temperature := _temperature(text, expected)) is not None:
+        return of_temperature
     unit = read_unit(text)
+    if expected is not None and (led := IN.match(text)) and not _fits(unit, expected):  # `83.6 in J`
+        behind = read_unit(text[led.end() :])
+        if _fits(behind, expected):
+            return behind
+    if expected is not None and isinstance(unit, Unit) and "turn" in unit.text:
+        unit = _counted(unit, expected)
     if (
         isinstance(unit, Unit)
         and expected is not None
@@ -42,7 +54,7 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
         if isinstance(unit, ParseError)
         else twice.groups()
         if twice
-        else (PLURAL.sub("kg", text),)
+        else (PLURAL.sub(lambda found: "kg" if found[1].lower() == "kg" else found[1], text),)
     )
     fitting = [
         each
@@ -52,6 +64,30 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
     if twice:
         return fitting[0] if len(fitting) == 2 else unit
     return fitting[0] if len({each.factor for each in fitting}) == 1 else unit
+
+
+def _fits(unit: Unit | ParseError, expected: Unit) -> bool:
+    return isinstance(unit, Unit) and unit.dimension == expected.dimension
+
+
+def _temperature(text: str, expected: Unit) -> Unit | ParseError | None:
+    """The scale of a temperature written short, where one is asked for; a bare degree sign is that of the question."""
+    found = DEGREE.fullmatch(text) if expected.dimension == UNITS["K"].dimension else None
+    if found is None:
+        return None
+    asked = expected.text.removeprefix("delta_")
+    if found["scale"] is None and asked not in ("degC", "degF"):
+        return ambiguous(_("{text} can be °C or °F", text=text.strip()), 0, "°C", "°F")
+    its_scale = f"deg{found['scale']}" if found["scale"] else asked
+    return UNITS[f"delta_{its_scale}" if expected.is_difference else its_scale]
+
+
+def _counted(unit: Unit, expected: Unit) -> Unit:
+    """A turn as 1 where a number of turns or a frequency is asked for, and as 2 pi where an angle is."""
+    if expected.pi or unit.dimension != expected.dimension or re.search(r"\b(?:rad|deg|turn)\b", expected.text):
+        return unit
+    power = unit.pi
+    return replace(unit, factor=unit.factor / Fraction(2) ** power, pi=0)
 
 
 def _in_another_case(text: str, expected: Unit) -> Unit | ParseError | None:

@@ -29,7 +29,7 @@ HALVES = dict.fromkeys(
 )  # of characters cut in two: they cannot be written down
 EXACT = str.maketrans(dict.fromkeys(INVISIBLE) | LOOKS | MARKS | HALVES)
 # Mathematical letters and digits (𝑚, 𝟖), squared units (㎏, ㎧), letters run together (ﬁ), signs that are units (K, ℃).
-COMPATIBLE = re.compile(r"[\U0001d400-\U0001d7ff㌀-㏿ﬀ-ﬆK\u2100-\u2103\u210e\u2113]")
+COMPATIBLE = re.compile(r"[\U0001d400-\U0001d7ff㌀-㏿ﬀ-ﬆK\u2100-\u2103\u210e\u2113\u213c]")
 
 
 def legible(text: str) -> str:

@@ -46,6 +46,7 @@ LONE: dict[str, tuple[Kind, str]] = {
     "°": ("degree", "°"),
     "º": ("degree", "°"),
     "√": ("function", "sqrt"),
+    "∛": ("function", "cbrt"),
     "|": ("bar", "|"),
     ",": ("comma", ","),
 }

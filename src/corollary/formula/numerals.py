@@ -40,10 +40,10 @@ VULGAR = {
 }
 
 SIGN = re.compile(r"\s*([+-]?)\s*")
-BODY = re.compile(r"(?:[0-9]{1,3}(?:[ '][0-9]{3})+(?![0-9])|[0-9]+)(?:[.,][0-9]+)*\.?|[.,][0-9]+")
+BODY = re.compile(r"[0-9]{1,3}(?:[ '][0-9]{3})*[.,](?:[0-9]{3}[ '])+[0-9]{1,3}(?![0-9.,])|(?:[0-9]{1,3}(?:[ '][0-9]{3})+(?![0-9])|[0-9]+)(?:[.,][0-9]+)*\.?|[.,][0-9]+")
 POWER = r"(?:(?:\^|\*\*)\s*(?:([+-]?[0-9]+)|[({]([+-]?[0-9]+)[)}])|([⁻⁺]?[⁰¹²³⁴-⁹]+))"
-TEN = re.compile(rf"[eE]([+-]?[0-9]+)(?![0-9.,])|(?:\s*(?:\*|[xX](?=\s*10))\s*|\s+)10\s*{POWER}")
-BARE_TEN = re.compile(rf"10\s*{POWER}")
+TEN = re.compile(rf"\s?[eE]\s?([+-]?[0-9]+)(?![0-9.,])|(?:\s*(?:\*|[xX](?=\s*10))\s*|\s+)10\s*{POWER}")
+BARE_TEN = re.compile(rf"10\s*{POWER}(?![0-9.,]*[.,][0-9])")
 BELOW = re.compile(r"\s*/\s*(?=[0-9.,])")
 MIXED = re.compile(r"([0-9]{1,9}) +([0-9]{1,2})/([0-9]{1,2})(?![0-9.,/])")
 
@@ -97,6 +97,8 @@ def unsigned(text: str, at: int) -> tuple[Written, int] | ParseError:
         return power if isinstance(power, ParseError) else (Written(Fraction(10) ** power, 0, 0), bare.end())
     body = BODY.match(text, at)
     end = body.end() if body else at
+    if body and text[end : end + 1] == " " and text[end + 1 : end + 2] in VULGAR and text[end + 1 : end + 2]:
+        end += 1
     if end < len(text) and text[end] in VULGAR and (not body or body[0].isdecimal()):
         whole = int(body[0]) if body and len(body[0]) <= MOST_DIGITS else 0
         return Written(whole + VULGAR[text[end]], 0, 0), end + 1

@@ -76,13 +76,20 @@ def _formula(line: Line, least: int) -> Expr:
             tree, grows = Quotient(tree, _formula(line, TIMES)), Quotient
         elif token.kind == "sign" and token.text == "^" and least < RAISE:
             line.take()
-            tree, grows = _power(tree, _formula(line, RAISE - 1), token), None
+            if line.student and line.next.kind == "sign" and line.next.text == "+" and line.next.tight:
+                line.take()
+            tree, grows = _raised(line, tree, token), None
         elif token.kind == "degree" and least < RAISE:
             line.take()
             tree, grows = degrees(tree), None
         elif token.kind == "unit" and least < UNIT:  # `80 kg/4 m` is (80 kg)/(4 m), `3^2 m` is 9 m
             line.take()
             tree, grows = Product((tree, Name(token.text))), None
+        elif _in_parallel(line) and least < TIMES:
+            line.take()
+            line.take()
+            other = _formula(line, TIMES)
+            tree, grows = Quotient(Product((tree, other)), Sum((tree, other))), None
         elif _follows(line) and least < TIMES:
             tree, grows = _implicit(line, tree, grows)
         else:
@@ -101,6 +108,42 @@ def _follows(line: Line) -> bool:
     token = line.next
     return token.kind in STARTS or (
         token.kind == "bar" and (not line.bars or line.bars[-1] != _brackets(line))
+    )
+
+
+def _in_parallel(line: Line) -> bool:
+    """True at the `||` of `R1 || R2`, two resistances side by side."""
+    behind = line.tokens[line.at + 1] if line.next.kind == "bar" and not line.bars else None
+    return line.student and behind is not None and behind.kind == "bar" and behind.tight
+
+
+def _raised(line: Line, base: Expr, token: Token) -> Expr:
+    """A power; of `e^2x`, `10^2x`, `r^1/2`, `e^-x/2` it is asked where the exponent ends."""
+    typed = line.next.at > token.at  # not a raised digit
+    exponent = _formula(line, RAISE - 1)
+    near = _power(base, exponent, token)
+    bottom = exponent.term if isinstance(exponent, Negative) else exponent
+    behind, tens = line.next, base == Number(Fraction(10)) or base == Call("exp", (Number(Fraction(1)),))
+    product = tens and behind.kind == "name" and behind.tight and isinstance(bottom, Number | Name)
+    quotient = (
+        behind.kind == "sign" and behind.text == "/" and behind.tight and (bottom == Number(Fraction(1)) or (tens and isinstance(bottom, Name)))
+    )
+    if not (line.student and typed and (product or quotient)) or line.lean == "near":
+        return near
+    if quotient:
+        line.take()
+    factor = _first(line, FACTOR)
+    longer = Quotient(exponent, factor) if quotient else _times(exponent, factor, None)
+    far = _power(base, longer, token)
+    if line.lean == "far":
+        return far
+    raise Stop(
+        ambiguous(
+            _("it is not clear where the exponent ends"),
+            behind.at,
+            text(far),
+            text(Quotient(near, factor) if quotient else Product((near, factor))),
+        )
     )
 
 
@@ -195,8 +238,10 @@ def _first(line: Line, least: int) -> Expr:
 def _exponential(line: Line) -> Expr:
     """Euler's number: `e^(-t)` is exp(-t)."""
     if line.next.kind == "sign" and line.next.text == "^":
-        line.take()
-        return Call("exp", (_formula(line, RAISE - 1),))
+        token = line.take()
+        power = _raised(line, Call("exp", (Number(Fraction(1)),)), token)
+        assert isinstance(power, Power)
+        return Call("exp", (power.exponent,))
     return Call("exp", (Number(Fraction(1)),))
 
 
@@ -269,6 +314,8 @@ def _arguments(line: Line, function: str) -> tuple[Expr, ...]:
 def _bare_argument(line: Line, function: str) -> Expr:
     """`sin θ`, `sin 2θ`, `√2`: one factor, and nothing behind it that could belong to it as well."""
     token, start = line.next, line.at
+    if token.kind in ("function", "bar") and arity(function) == 1:  # `sin cos x`, `ln|x|`
+        return _first(line, FACTOR)
     if token.kind not in ("number", "name", "e") or arity(function) != 1:
         refuse(
             _("{function} needs brackets", function=function),

@@ -21,7 +21,7 @@ KEYBOARD_NAMES = """
     ϑ theta  ι iota  κ kappa  λ lambda  μ mu  µ mu  ν nu  ξ xi  π pi  ρ rho
     ϱ rho  σ sigma  τ tau  υ upsilon  φ phi  ϕ phi  χ chi  ψ psi  ω omega
     Γ Gamma  Δ Delta  ∆ Delta  Θ Theta  Λ Lambda  Ξ Xi  Π Pi  Σ Sigma  Φ Phi
-    Ψ Psi  Ω Omega
+    Ψ Psi  Ω Omega  ħ hbar  ℏ hbar
 """
 GREEK: dict[str, str] = dict(zip(KEYBOARD_NAMES.split()[::2], KEYBOARD_NAMES.split()[1::2], strict=True))
 LOWERED: dict[str, str] = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ", "0123456789aexhklmnpstijruv", strict=True))
@@ -35,8 +35,12 @@ RUN = re.compile(
     rf"[{LETTER}](?:[{LETTER}0-9{''.join(LOWERED)}]|_\{{[{LETTER}0-9, ]{{1,12}}\}}|_(?=[{LETTER}0-9]))*"
 )
 LONGEST_RUN = 60
+# Capital Greek letters that are typed, and copied, as the Latin ones they look like.
+LATIN = dict(zip("Alpha Beta Epsilon Zeta Eta Iota Kappa Mu Nu Omicron Rho Tau Upsilon Chi".split(), "ABEZHIKMNOPTYX", strict=True))
 INVERSE = frozenset({"asin", "acos", "atan", "asinh", "acosh", "atanh"})
 
+
+CONJUNCTIONS = frozenset("and or und oder og eller et ou".split())
 
 Word = Literal["name", "function", "e", "degree"]
 Meaning = tuple[Word, str]
@@ -67,8 +71,11 @@ def letters(names: frozenset[str]) -> Letters:
 
 @lru_cache(maxsize=256)
 def _letters(names: frozenset[str], functions: tuple[str, ...]) -> Letters:
-    exact: dict[str, Meaning] = {"pi": ("name", "pi")}
+    exact: dict[str, Meaning] = {"pi": ("name", "pi"), "PI": ("name", "pi"), "Pi": ("name", "pi")}
     known = function_words()
+    for typed in functions:  # and as other systems have them: `Sin`, `SQRT`
+        if len(typed) > 2 and typed.islower():
+            exact |= {each: ("function", known[typed]) for each in (typed.capitalize(), typed.upper()) if each not in functions}
     exact |= {typed: ("function", known[typed]) for typed in functions}
     exact |= _unshared((spelling, name) for name in names for spelling in _spellings(name))
     exact |= {key: ("name", name) for name in names for key in (name, name.replace("_", ""))}
@@ -149,6 +156,8 @@ def _spellings(name: str) -> set[str]:
         found.add("epsilon" + latin[3:])
     if latin.startswith("epsilon"):
         found.add("eps" + latin[7:])
+    if (greek := next((each for each in LATIN if latin.startswith(each)), "")) and latin:
+        found.add(LATIN[greek] + latin[len(greek) :])
     if short := re.match(LAMBDA, latin):
         found.add("lambda" + latin[short.end() :])
     return found
@@ -207,6 +216,10 @@ def _cuts(latin: str, joints: set[int], known: Letters, *, loosely: bool) -> lis
 
 def _near(latin: str, known: Letters) -> str:
     """A letter that differs by its case, by the order of its index, or by one sign."""
+    if latin == "In":
+        return _("did you mean {near}?", near="ln")
+    if latin.lower() in CONJUNCTIONS:
+        return _("write one formula")
     parted = re.fullmatch(r"([A-Za-z]+)([0-9]+)", latin)
     if parted and parted[1] in known.exact:
         return _(

@@ -11,16 +11,17 @@ from corollary.formula.abbreviations import function_words
 from corollary.formula.ast import Expr
 from corollary.formula.by_hand import by_hand
 from corollary.formula.degrees import in_degrees
-from corollary.formula.errors import ParseError, refused, sentence
+from corollary.formula.errors import ParseError, ambiguous, refused, sentence
 from corollary.formula.lexer import LONGEST, MOST_TOKENS, tokens
 from corollary.formula.line import Lean
 from corollary.formula.numerals import TO_ASCII
 from corollary.formula.parser import formula
-from corollary.formula.symbols import APART, RUN, Piece, letters, read_run
+from corollary.formula.symbols import APART, LETTER, RUN, Letters, Piece, letters, read_run
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)
 
+INDEXED = re.compile(rf"(?<![A-Za-z0-9_])([{LETTER}]+)\[([0-9]{{1,2}}|[A-Za-z]|[0-9A-Za-z]{{1,2}},[0-9A-Za-z]{{1,2}})\]")
 LEFT = re.compile(rf"\s*({RUN.pattern})\s*(?:\(\s*t\s*\)\s*)?=(?!=)")
 
 
@@ -50,11 +51,40 @@ def parse(
     known = letters(frozenset(names))
     # Blanks stand for what was skipped, so that a place found is a place in what was typed.
     line = " " * start + (text[start:] if "Delta" in known.names else APART.sub(r"\2\1", text[start:]))
+    line = _with_indices(line, known)
+    if isinstance(line, ParseError):
+        return line
     read = tokens(line, partial(read_run, known=known))
     if isinstance(read, ParseError):
         return read
+    for token in read:
+        power = next((letter for letter in "eE" if token.kind == "number" and letter in token.text), "")
+        if power and power in known.names:
+            base, _mark, exponent = token.text.partition(power)
+            return ambiguous(
+                _("{text} can be a power of ten or hold the letter {letter}", text=token.text, letter=power),
+                token.at,
+                f"{base}*10^{exponent.lstrip('+')}",
+                f"{base}*{power}{exponent if exponent[0] in '+-' else '*' + exponent}",
+            )
     tree = formula(read, student=True, lean=lean)
     return in_degrees(tree) if degrees and not isinstance(tree, ParseError) else tree
+
+
+def _with_indices(line: str, known: Letters) -> str | ParseError:
+    """`v[0]` as v_0 where there is such a letter; asked about where a letter stands before a bracket with digits alone."""
+    for found in INDEXED.finditer(line):
+        name = f"{found[1]}_{found[2]}"
+        if not isinstance(read_run(found[1] + found[2], 0, known), ParseError) and name.replace("_", "") in known.exact:
+            line = line.replace(found[0], f"{name}".ljust(len(found[0])), 1)
+        elif found[2].isdigit() or "," in found[2]:
+            return ambiguous(
+                _("{text} can be an index or a product", text=found[0]),
+                found.start(),
+                f"{found[1]}_{found[2]}",
+                f"{found[1]}*({found[2]})",
+            )
+    return line
 
 
 def author_formula(text: str, names: Iterable[str] | None = None, *, operators: bool = False) -> Expr:

@@ -24,10 +24,23 @@ REPLACEMENTS = {
     "qquad": " ",
     "left": "",
     "right": "",
-    "big": "",
-    "Big": "",
-    "bigl": "",
-    "bigr": "",
+    **dict.fromkeys((f"{size}{side}" for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")), ""),
+    "middle": "",
+    **dict.fromkeys(("thinspace", "medspace", "thickspace", "enspace", "space", "nobreakspace"), " "),
+    "negthinspace": "",
+    "textstyle": "",
+    "hslash": "hbar",
+    "lbrace": "(",
+    "rbrace": ")",
+    "lbrack": "(",
+    "rbrack": ")",
+    "lparen": "(",
+    "rparen": ")",
+    "ge": ">=",
+    "geq": ">=",
+    "le": "<=",
+    "leq": "<=",
+    "mp": "∓",
     "displaystyle": "",
     "limits": "",
     "varphi": "phi",
@@ -53,11 +66,13 @@ REPLACEMENTS = {
 }
 TEXT_COMMANDS = (
     "mathrm text textrm textit textbf mathit mathbf mathsf rm operatorname unit "
-    "si num boxed underline vec overrightarrow bar"
+    "si num boxed underline vec overrightarrow bar boldsymbol bm pmb mathbb mathcal mathsf mathtt textsf texttt textnormal mathnormal "
+    "hbox mbox emph overline widehat tilde ensuremath mathop"
 )
 WRAPPED = frozenset(TEXT_COMMANDS.split())
 COMMAND = re.compile(r"\\([A-Za-z]+)\*?\s*|\\(.)")
 SPACES = re.compile(r"\\[,;:!> ]|~|\$|\\\(|\\\)|\\\[|\\\]|\\(?:begin|end)\{[pbv]?(?:matrix|array)\}")
+OVER = re.compile(r"\{([^{}]*)\\over\s([^{}]*)\}")
 INDEX = re.compile(r"_\{([^{}]*)\}")
 NUMERIC_POWER = re.compile(r"\s*(?:[0-9]+|°)\s*")
 DEEPEST = 20
@@ -68,6 +83,10 @@ def without_tex(text: str) -> str:
     if "\\" not in text and "$" not in text and "^{" not in text:
         return text
     expanded = text.replace("{,}", ",").replace("\\\\", ";")
+    while (over := OVER.sub(r"\\frac{\1}{\2}", expanded)) != expanded:
+        expanded = over
+    above, _, below = expanded.partition("\\over ")
+    expanded = f"\\frac{{{above}}}{{{below}}}" if below else above
     expanded = _expanded(SPACES.sub(lambda found: _bracket(found[0]), expanded), 0)
     return re.sub(r"\^\s*°", "°", re.sub(r"\s+", " ", expanded)).strip()
 
@@ -97,8 +116,12 @@ def _expanded(text: str, depth: int) -> str:
                 above, below = _expanded(above, depth + 1), _expanded(below, depth + 1)
                 done += f"(({above})/{below if below.isalnum() else f'({below})'})"
             case "sqrt":
-                inner, rest = _argument(rest)
-                done += f"sqrt({_expanded(inner, depth + 1)})"
+                index = re.match(r"\s*\[([^\[\]]*)\]", rest)
+                inner, rest = _argument(rest[index.end() :] if index else rest)
+                inner = _expanded(inner, depth + 1)
+                done += f"(({inner})^(1/({_expanded(index[1], depth + 1)})))" if index else f"sqrt({inner})"
+            case "textcolor" | "color" | "hspace" | "phantom":
+                _shade, rest = _argument(rest)
             case "hat":
                 inner, rest = _argument(rest)
                 done += {"i": "î", "j": "ĵ", "x": "x̂", "y": "ŷ"}.get(

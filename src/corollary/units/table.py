@@ -120,15 +120,41 @@ au      | m                  | 149597870700      |               |
 ly      | m                  | 9460730472580800  |               |
 pc      | m                  | 30856775814913673 | k M G         | parsec
 angstrom Å \N{ANGSTROM SIGN} | m             | 1/10000000000     |               | angstrom ångström ångstrøm
-inch inches | m              | 0.0254            |               |
+inch inches in | m           | 0.0254            |               |
 ft feet | m                  | 0.3048            |               | foot
+yd      | m                  | 0.9144            |               | yard
+nmi     | m                  | 1852              |               |
+micron  | m                  | 1/1000000         |               | micron
 mi      | m                  | 1609.344          |               | mile
 lb lbs  | kg                 | 0.45359237        |               | pound
+oz      | kg                 | 0.028349523125    |               | ounce
+slug    | kg                 | 14.593902937206   |               | slug
+lbf     | kg m s^-2          | 4.4482216152605   |               |
+dyn     | kg m s^-2          | 1/100000          |               | dyne
+kgf kp  | kg m s^-2          | 9.80665           |               | kilopond
+erg     | kg m^2 s^-2        | 1/10000000        |               | erg
+BTU Btu | kg m^2 s^-2        | 1055.056          |               |
+hp      | kg m^2 s^-3        | 745.69987158227022 |              | horsepower
+psi     | kg m^-1 s^-2       | 44482216152605/6451600000 |       |
+gauss   | kg s^-2 A^-1       | 1/10000           | m k           | gauss
+kn kt   | m s^-1             | 463/900           |               | knot
+c       | m s^-1             | 299792458         |               |
+dpt     | m^-1               | 1                 |               | dioptre diopter
+cc ccm  | m^3                | 1/1000000         |               |
+gal     | m^3                | 0.003785411784    |               | gallon
+week wk | s                  | 604800            |               | week Woche uke
+barn    | m^2                | 1/10000000000000000000000000000 | | barn
+Ci      | s^-1               | 37000000000       | u m           | curie
+rem     | m^2 s^-2           | 1/100             | m             |
+poise   | kg m^-1 s^-1       | 1/10              | c             | poise
+ppm     |                    | 1/1000000         |               |
+ppb     |                    | 1/1000000000      |               |
+‰       |                    | 1/1000            |               | permille
 sr      |                    | 1                 |               | steradian
 arcmin  |                    | pi/10800          |               |
 arcsec  |                    | pi/648000         |               |
 gon     |                    | pi/200            |               |
-turn rev |                   | 2*pi              |               | turn revolution umdrehung omdreining omdreininger
+turn rev |                   | 2*pi              |               | turn revolution cycle umdrehung omdreining omdreininger
 """
 MECHANICS = """
 g       | kg                 | 1/1000            | n u m k       | gram gramme gramm
@@ -141,7 +167,7 @@ Pa      | kg m^-1 s^-2       | 1                 | h k M G T     | pascal
 Hz      | s^-1               | 1                 | m k M G T     | hertz
 eV      | kg m^2 s^-2        | 1.602176634e-19   | m k M G T     | electronvolt
 t       | kg                 | 1000              |               | tonne
-u Da    | kg                 | 1.66053906892e-27 |               | dalton
+u Da amu | kg                | 1.66053906892e-27 |               | dalton
 min     | s                  | 60                |               | minute minutt minutter
 h       | s                  | 3600              |               | hour hr heure stunde timme timer
 rad     |                    | 1                 | m             | radian radianer radiant

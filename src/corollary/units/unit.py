@@ -44,10 +44,10 @@ IN_TEX = {
     "degC": r"{}^{\circ}C", "degF": r"{}^{\circ}F",
 }  # fmt: skip
 
+RAISED_TO = r"[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9.]+|[({][+-]?[0-9./]+[)}])"
 MARK = re.compile(
-    rf"\s*(?:(?P<symbol>{TEMPERATURE}|[A-Za-zµμèéåøöÅ\u212bΩΩℓ]+|[°º%])"
-    r"(?P<power>[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9.]+|[({][+-]?[0-9./]+[)}])|-?[0-9]+)?"
-    r"|(?P<one>1(?![0-9.,]))|(?P<sign>\*|/|\(|\)))"
+    rf"\s*(?:(?P<symbol>{TEMPERATURE}|[A-Za-zµμèéåøöÅ\u212bΩΩℓ]+|[°º%‰])(?P<power>{RAISED_TO}|-?[0-9]+)?"
+    rf"|(?P<one>1(?![0-9.,]))|(?P<sign>\*|/|\(|\)(?P<raised>{RAISED_TO})?))"
 )
 NAMES, NAMES_IN_TEX = (re.compile("deg[CF]?|ohm|angstrom" + also) for also in ("", "|%"))
 SECONDS = re.compile(r"(?:sec|secs)$")
@@ -94,49 +94,10 @@ def _read(text: str) -> Unit | ParseError:
 
 def _product(marks: list[re.Match[str]], end: int) -> Unit | ParseError:
     """Factors above and below the line. After a bare slash a second factor could belong to either side: then both are kept."""
-    certain: Factors = []
-    floating: Factors = []  # factors after `a/b`, above the line when read from left to right
-    side, opened, slashed, ready, doubt = 1, 0, False, True, 0
-    for mark in marks:
-        at = mark.start() + len(mark[0]) - len(mark[0].lstrip())
-        if mark["sign"] == "/":
-            if opened or (ready and certain) or floating:
-                return refused(
-                    _("this slash has no clear place"),
-                    at,
-                    _("write one slash and brackets, such as J/(kg m)"),
-                )
-            side, slashed, ready = -1, False, True
-        elif mark["sign"] == "*":
-            if ready:
-                return refused(_("a unit is missing before this sign"), at)
-            ready = True
-        elif mark["sign"] == "(":
-            if opened or (slashed and side < 0):
-                return refused(
-                    _("this bracket has no clear place"),
-                    at,
-                    _("write one slash and one bracket, such as J/(kg m)"),
-                )
-            opened, ready = 1, True
-        elif mark["sign"] == ")":
-            if not opened or ready:
-                return refused(_("this bracket closes nothing"), at)
-            opened, slashed, ready = 0, True, False
-        else:
-            found = [(PURE, Fraction(1))] if mark["one"] else _symbol(mark["symbol"], mark["power"] or "", at)
-            if isinstance(found, ParseError):
-                return found
-            if slashed and side < 0 and not floating:
-                doubt = at
-            (floating if slashed and side < 0 else certain).extend(
-                (each, power * side) for each, power in found
-            )
-            slashed, ready = slashed or not opened, False
-    if opened or ready:
-        return refused(
-            _("something is missing at the end of this unit"), end, _("write a unit such as kg m/s")
-        )
+    found = _factors(marks, 0, end, inside=False)
+    if isinstance(found, ParseError):
+        return found
+    certain, floating, doubt, _number = found
     below = _composed(certain + floating)
     if not floating or isinstance(below, ParseError):
         return below
@@ -144,6 +105,66 @@ def _product(marks: list[re.Match[str]], end: int) -> Unit | ParseError:
     if isinstance(above, ParseError):
         return above
     return ambiguous(_("it is not clear what stands below the slash"), doubt, above.text, below.text)
+
+
+def _factors(
+    marks: list[re.Match[str]], start: int, end: int, *, inside: bool
+) -> tuple[Factors, Factors, int, int] | ParseError:
+    """The factors from one mark up to the end, or `inside` brackets up to the one that closes; and the mark behind them.
+
+    Factors after `a/b` are apart from the certain ones: read from left to right, they stand above the line.
+    """
+    certain: Factors = []
+    floating: Factors = []
+    side, slashed, ready, doubt, below, number = 1, False, True, 0, 0, start
+    while number < len(marks):
+        mark = marks[number]
+        number += 1
+        at = mark.start() + len(mark[0]) - len(mark[0].lstrip())
+        if mark["sign"] == "/":
+            if (ready and certain) or floating:
+                return refused(
+                    _("this slash has no clear place"),
+                    at,
+                    _("write one slash and brackets, such as J/(kg m)"),
+                )
+            side, slashed, ready, below = -1, True, True, 0
+            continue
+        if mark["sign"] == "*":
+            if ready:
+                return refused(_("a unit is missing before this sign"), at)
+            ready = True
+            continue
+        if (mark["sign"] or "").startswith(")"):
+            if not inside or ready:
+                return refused(_("this bracket closes nothing"), at)
+            return certain, floating, doubt, number
+        if mark["sign"] == "(":
+            group = _factors(marks, number, end, inside=True)
+            if isinstance(group, ParseError):
+                return group
+            within, unsure, its_doubt, number = group
+            if unsure:
+                return refused(_("it is not clear what stands below the slash"), its_doubt, _("write brackets"))
+            power = _power(marks[number - 1]["raised"] or "")
+            if not power or abs(power) > LARGEST_POWER:
+                return refused(_("a bracket to this power does not occur here"), at)
+            found = [(each, its_power * power) for each, its_power in within]
+        else:
+            found = [(PURE, Fraction(1))] if mark["one"] else _symbol(mark["symbol"], mark["power"] or "", at)
+            if isinstance(found, ParseError):
+                return found
+        unsure_side = slashed and below > 0
+        if unsure_side and not floating:
+            doubt = at
+        (floating if unsure_side else certain).extend((each, power * side) for each, power in found)
+        below = below + 1 if slashed else 0
+        ready = False
+    if inside or ready:
+        return refused(
+            _("something is missing at the end of this unit"), end, _("write a unit such as kg m/s")
+        )
+    return certain, floating, doubt, number
 
 
 def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
@@ -186,9 +207,14 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
 def _splits(run: str) -> list[tuple[Unit, ...]]:
     """Every way to cut run-together letters (`Ns`, `kgm`) into two or three units."""
     known = [cut for cut in cuts(run) if all(piece in UNITS and piece not in APART for piece in cut)]
-    return [
-        tuple(UNITS[piece] for piece in cut) for cut in known if "K" not in cut[:-1]
-    ]  # Kgm: kg m, no kelvin
+    found = [tuple(UNITS[piece] for piece in cut) for cut in known if "K" not in cut[:-1]]  # Kgm: kg m, no kelvin
+    if found:
+        return found
+    for first, *rest in cuts(run):  # `mPas`, `cNm`: with a prefix that no row lists
+        unit = prefixed(first)
+        if unit is not None and all(piece in UNITS and piece not in APART for piece in rest):
+            found.append((unit, *(UNITS[piece] for piece in rest)))
+    return found[:1]
 
 
 def _power(text: str) -> Fraction | None:

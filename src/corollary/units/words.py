@@ -20,6 +20,15 @@ COMPOUND = re.compile(  # in German and Norwegian written as one word
 JOINED = re.compile(
     r"(?<=[A-Za-z])-(?=[A-Za-z])|(?<=[A-Za-z0-9⁰¹²³⁴-⁹)])\.(?=\s?[A-Za-z(])"
 )  # `N-s`, `kg.m/s`
+RAISED_BEHIND = re.compile(r"\s+(squared|cubed)(?![A-Za-z])", re.IGNORECASE)
+RAISED_BEFORE = re.compile(
+    r"(?<![A-Za-z])(?:(?P<square>square|sq\.?|Quadrat-?|kvadrat-?)|(?:cubic|cu\.?|Kubik-?|kubikk-?))\s*(?P<unit>(?!d\b)[A-Za-zµ]+)(?![A-Za-z^])",
+    re.IGNORECASE,
+)
+PREFIX_APART = re.compile(r"(?<![A-Za-z])(kilo|milli|centi|mega|giga|micro|nano)[ -]+(?=[a-z]{4,})", re.IGNORECASE)
+SHORTENED = re.compile(r"(?<![A-Za-z])((?i:micro|milli|nano|kilo))(?=(?:mol|m|g|s|N|J|W|V|A|Pa|Hz|eV|C|F)(?![A-Za-z]))")
+MICRO = re.compile(r"(?<![A-Za-z])mu\s*(?=(?:m|g|s|A|V|C|F|N|J|W|H|T|Pa|mol|l|L)(?![A-Za-z]))")  # `\\mu m` without its backslash
+OMEGA = re.compile(r"(?<![A-Za-z])([kMmGu]?)\s*Omega(?![A-Za-z])")
 ALL = re.compile(r"\s*\[([^\[\]]*)\]\s*|\s*\(([^()]*)\)\s*")
 # °C is no degree times a coulomb. A difference of temperatures is written with a delta: `Δ°C`, `delta K`.
 DELTA = r"(?:delta(?:_| ?(?=[°ºdK]))|[Δ∆]\s?)"
@@ -33,6 +42,11 @@ def in_signs(text: str) -> str:
     """The unit with a sign for every word and mark; a place in it stays a place in what was typed, but for whole brackets."""
     if whole := ALL.fullmatch(text):
         text = whole[1] or whole[2] or ""
+    text = RAISED_BEHIND.sub(lambda found: f"^{2 if found[1].lower() == 'squared' else 3}", text)
+    text = RAISED_BEFORE.sub(lambda found: f"{found['unit']}^{2 if found['square'] else 3}", text)
+    text = PREFIX_APART.sub(r"\1", text.replace("electron volt", "electronvolt"))
+    text = SHORTENED.sub(lambda found: {"micro": "u", "milli": "m", "nano": "n", "kilo": "k"}[found[1].lower()], text)
+    text = OMEGA.sub(r"\1ohm", MICRO.sub("u", text))
     text = SPEED.sub(lambda found: SPEEDS[found[0]], text)
     text = COMPOUND.sub(r"\1 ", text)
     text = JOINED.sub("*", PER.sub(lambda found: "/".ljust(len(found[0])), text))
