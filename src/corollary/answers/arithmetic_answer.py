@@ -30,7 +30,7 @@ _ = catalogue(__name__)
 ROUNDING = 4e-16
 LARGEST_FACTORIAL = 20
 NUMBER = re.compile(r"[0-9.,]")
-WORD = re.compile(r"π|(?P<short>(?P<letters>[A-Za-z]+)[0-9]*)[A-Za-z]*")
+WORD = re.compile(r"π|P[iI](?![A-Za-z])|(?P<short>(?P<letters>[A-Za-z]+)[0-9]*)[A-Za-z]*")
 EXPONENT = re.compile(r"[0-9]")
 RAISED = re.compile(r"\^|\*\*|[⁻⁺]?[⁰¹²³⁴-⁹]")
 BRACKET = re.compile(
@@ -38,7 +38,9 @@ BRACKET = re.compile(
 )  # with a number alone in it, it says something twice: `0.4 (40 %)`
 ANGLE = re.compile(r"\s*(°|º|deg(?:rees?)?(?![A-Za-z])|rad(?![A-Za-z]))")
 UNIT_POWER = r"[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9]+|[({][+-]?[0-9./]+[)}])|-?[0-9](?![0-9.,])"
-RANGE = re.compile(r"\s*(?P<low>[0-9]+(?:[.,][0-9]+)?)\s*(?:-|\.\.)\s*(?P<high>[0-9]+(?:[.,][0-9]+)?)\s*(?:[A-Za-zµ°%]|$)")  # `8-9 N`
+RANGE = re.compile(
+    r"\s*(?P<low>[0-9]+(?:[.,][0-9]+)?)\s*(?:-|\.\.)\s*(?P<high>[0-9]+(?:[.,][0-9]+)?)\s*(?:[A-Za-zµ°%]|$)"
+)  # `8-9 N`
 FACTOR_ENDS = frozenset({"number", "name", "unit", "degree", "close", "e", "bar"})
 EULER = re.compile(r"e(?![A-Za-z0-9_])")
 IN_BRACKETS = re.compile(r"\s*\*?\s*(?P<unit>\([A-Za-zµΩ°(][^,;=]*)\s*")
@@ -60,9 +62,7 @@ def _units_behind(functions: tuple[str, ...], euler: bool = False) -> re.Pattern
     words = [
         rf"{word}(?=\s*\()" if word in ABBREVIATIONS or arity(known[word]) > 1 else word for word in functions
     ]
-    word = (
-        rf"(?!(?:{'|'.join(sorted((*words, 'pi', *(('e',) if euler else ())), key=len, reverse=True))})(?![A-Za-z]))[A-Za-zµμΩΩÅ]++|[°º%]"
-    )
+    word = rf"(?!(?:{'|'.join(sorted((*words, 'pi', 'Pi', 'PI', *(('e',) if euler else ())), key=len, reverse=True))})(?![A-Za-z]))[A-Za-zµμΩΩÅ]++|[°º%]"
     symbol = rf"(?:{word})(?:{UNIT_POWER})?"
     below = rf"\s*/\s*\(\s*{symbol}(?:\s*\*?\s*{symbol})*\s*\)"
     return re.compile(rf"\s*\*?\s*{symbol}(?:\s*[*/]?\s*{symbol}|{below})*")
@@ -75,7 +75,9 @@ def worked_out(normalized: str, *, euler: bool = False) -> Worked | ParseError:
     is Euler's number and not the elementary charge.
     """
     units: dict[str, Unit] = {}
-    read = tokens(normalized, _no_letters, read_first=lambda text, at, before: _sign(text, at, before, units, euler))
+    read = tokens(
+        normalized, _no_letters, read_first=lambda text, at, before: _sign(text, at, before, units, euler)
+    )
     if isinstance(read, ParseError):
         return read
     if (found := RANGE.match(normalized)) and _number(found["low"]) < _number(found["high"]):
@@ -85,7 +87,9 @@ def worked_out(normalized: str, *, euler: bool = False) -> Worked | ParseError:
     sized = [token for token in written if units[token.text].dimension != ONE]  # angles apart
     at_the_end = len(sized) == 1 and sized[0] is read[-2]
     if at_the_end and _sum_at_the_top(read):  # of `8 + 0.6 kg` it is not clear what 8 measures
-        return refused(_("a unit is missing in this sum"), 0, _("write a unit behind each number, or brackets"))
+        return refused(
+            _("a unit is missing in this sum"), 0, _("write a unit behind each number, or brackets")
+        )
     tree = formula([*read[:-2], read[-1]] if at_the_end else read, student=True, numbers=True)
     if isinstance(tree, ParseError):
         return tree
@@ -103,7 +107,9 @@ def worked_out(normalized: str, *, euler: bool = False) -> Worked | ParseError:
         value = math.nan
     if not math.isfinite(value):
         return refused(_("this calculation has no value"))
-    if abs(value) < ROUNDING * max((abs(node.value) for node in walk(tree) if isinstance(node, Number)), default=1) and _has_angle(tree):
+    if abs(value) < ROUNDING * max(
+        (abs(node.value) for node in walk(tree) if isinstance(node, Number)), default=1
+    ) and _has_angle(tree):
         value = 0.0  # cos(90°) is 0, not 6e-17
     if at_the_end:
         return Worked(value, units[sized[0].text])
@@ -143,7 +149,9 @@ def _bare_angle(tree: Expr) -> str:
     """A function of an angle that is given a bare number, `cos(30)`; "" when there is none."""
     for node in walk(tree):
         match node:
-            case Call(function, (Number(value) | Negative(Number(value)),)) if FUNCTIONS[function].angle and value:
+            case Call(function, (Number(value) | Negative(Number(value)),)) if (
+                FUNCTIONS[function].angle and value
+            ):
                 return function
             case _:
                 continue
@@ -200,10 +208,17 @@ def _sign(
         return [Token("number", text[at : number[1]], at, True, number[0].value)], number[1]
     if word := WORD.match(text, at):
         tight = text[at - 1 : at] != " "
-        if word[0] in ("pi", "π"):
+        if word[0] in ("pi", "π", "Pi", "PI"):
             return [Token("name", "pi", at, tight)], word.end()
         spellings = function_words()
         known = next((each for each in word.group(0, "short", "letters") if each in spellings), None)
+        if (
+            known is None
+            and len(word[0]) > 2
+            and word[0].lower() in spellings
+            and word[0] in (word[0].upper(), word[0].capitalize())
+        ):
+            return [Token("function", spellings[word[0].lower()], at, tight)], word.end()
         if (
             known and not text[at + len(known) : at + len(known) + 1].isalpha()
         ):  # `cos30°`, but not `cosh` cut short
@@ -232,7 +247,9 @@ def _factorial(before: list[Token], at: int) -> Found | ParseError:
     """`5!`, the number before it replaced by its factorial."""
     number = before[-1].value
     if number.denominator != 1 or number > LARGEST_FACTORIAL or "!" in before[-1].text:
-        return refused(_("this factorial is not worked out"), at, _("work it out and write a number and a unit"))
+        return refused(
+            _("this factorial is not worked out"), at, _("work it out and write a number and a unit")
+        )
     before[-1] = replace(before[-1], text=f"{before[-1].text}!", value=Fraction(math.factorial(int(number))))
     return [], at + 1
 

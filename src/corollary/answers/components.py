@@ -189,7 +189,7 @@ def _listed(inside: str, unit: str, count: int) -> list[str] | ParseError:
     if pieces is None:
         return refused(_("{count} components are expected", count=count), 0, _("write them as (3; 4) m/s"))
     behind = re.fullmatch(r"[^A-Za-z°%]*?([A-Za-z°%].*)", pieces[-1].strip())
-    alone = not re.search(r"[^\W\d_]", "".join(pieces[:-1]).replace("e", ""))
+    alone = not re.search(r"[^\W\d_]|[°º%‰]", "".join(pieces[:-1]).replace("e", ""))
     # In `(0, m*v)` what stands behind is a formula, and belongs to its own component alone.
     if not unit and behind and alone and _is_unit(behind[1]):
         pieces[-1], unit = (

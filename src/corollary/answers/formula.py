@@ -57,7 +57,11 @@ def formula(text: str, question: Question, lean: Lean = "ask") -> Expr | ParseEr
 
 
 def formula_in(
-    text: str, letters: Collection[str], unit: Unit | None, lean: Lean = "ask", question: Question | None = None
+    text: str,
+    letters: Collection[str],
+    unit: Unit | None,
+    lean: Lean = "ask",
+    question: Question | None = None,
 ) -> Expr | ParseError:
     """The formula in these letters that a text is; `unit` may stand behind it, being what is asked for."""
     if len(text) > LONGEST:
@@ -153,13 +157,24 @@ def _solved(text: str, question: Question) -> Unclear | None:
     bare, _skipped, sides = answer_in(by_hand(text).translate(TO_ASCII))
     found = solvable(sides[0]) if len(sides) == 1 and not is_name(sides[0]) else None
     tree = _right_side(bare, question.symbol_names, question.unit, "ask") if found else None
-    if found is None or tree is None or isinstance(tree, ParseError) or not unknown_letter(found.name, question):
+    if (
+        found is None
+        or tree is None
+        or isinstance(tree, ParseError)
+        or not unknown_letter(found.name, question)
+    ):
         return None
     alone = as_formula(found, tree)
     if alone is None or dimension_in(alone, question) != question.unit.dimension:
         return None
     read = formula_text(alone)
-    why = _("{side} = {value} gives {name} = {choice}", side=sides[0], value=formula_text(tree), name=found.name, choice=read)
+    why = _(
+        "{side} = {value} gives {name} = {choice}",
+        side=sides[0],
+        value=formula_text(tree),
+        name=found.name,
+        choice=read,
+    )
     return Unclear(f"{why}; {_('write the formula alone')}", as_typed(text), (formulas(alone),), benefit=True)
 
 

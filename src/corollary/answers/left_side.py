@@ -28,7 +28,9 @@ SYMBOL = (
 )
 # `v(t)`, `F(y = 0.6 m)`: a function of its own letter, which is a name; `m(v + w)` is a product.
 CALLED = r"(?:\s*\((?:[txyz0]|\s*[^\W\d_]\w*\s*=[^()=]*)\))?"
-NAME = re.compile(rf"\s*(?:{SYMBOL}{CALLED}|\|\|?\s*{SYMBOL}\s*\|\|?|<\s*{SYMBOL}\s*>|⟨\s*{SYMBOL}\s*⟩|\[{SYMBOL}\])\s*")
+NAME = re.compile(
+    rf"\s*(?:{SYMBOL}{CALLED}|\|\|?\s*{SYMBOL}\s*\|\|?|<\s*{SYMBOL}\s*>|⟨\s*{SYMBOL}\s*⟩|\[{SYMBOL}\])\s*"
+)
 WORD = re.compile(rf"{SYMBOL}|\([^\W\d_]\w?\)|[^\W\d_]+['’.]?s?")
 NUMBER = r"[0-9]+(?:[.,][0-9]+)?(?:\s*/\s*[0-9]+)?"
 MULTIPLE = re.compile(
@@ -110,7 +112,9 @@ def solved_value(found: Solved, value: float) -> float | None:
 def gives_what_is_asked(side: str, expected: Dimension, question: Question | None) -> Expr | bool:
     """The formula of the givens alone that stands for the answer; True for a product in customary letters of its dimension."""
     if question is not None and CHANGE.search(question.title) and (between := DIFFERENCE.fullmatch(side)):
-        one, other = (re.sub(rf"[\W\d_{''.join(LOWERED)}].*", "", between[each].strip()) for each in ("one", "other"))
+        one, other = (
+            re.sub(rf"[\W\d_{''.join(LOWERED)}].*", "", between[each].strip()) for each in ("one", "other")
+        )
         return bool(one) and one[0] == other[:1]
     givens = question.dimensions if question is not None else {}
     tree = parse(side, givens) if givens else None
@@ -134,17 +138,24 @@ def gives_what_is_asked(side: str, expected: Dimension, question: Question | Non
 def _letters_in(side: str, givens: Mapping[str, Dimension]) -> Collection[str]:
     """The names a left side may be made of: the givens, and each run of letters with its index, or its letters one by one."""
     found = set(givens)
-    for run in re.findall(rf"(?:(?:delta|Delta|[Δ∆])\s*)?[^\W\d_](?:_\{{\w+\}}|\w)*", side):
+    for run in re.findall(r"(?:(?:delta|Delta|[Δ∆])\s*)?[^\W\d_](?:_\{\w+\}|\w)*", side):
         name = re.sub(r"[^A-Za-z0-9_]", "", "".join(GREEK.get(each, LOWERED.get(each, each)) for each in run))
         if name in function_words() or name == "pi":
             continue
-        found |= {name} if "_" in name or re.search(r"\d$|^Delta|^d[a-z]$", name) or name in GREEK.values() else set(name)
+        found |= (
+            {name}
+            if "_" in name or re.search(r"\d$|^Delta|^d[a-z]$", name) or name in GREEK.values()
+            else set(name)
+        )
     return found
 
 
 def _base(name: str) -> str:
     name = re.sub(r"^(?:Delta|delta|d(?=[A-Za-z]))", "", name)
-    return next((word for word in sorted(set(GREEK.values()), key=len, reverse=True) if name.startswith(word)), name[:1])
+    return next(
+        (word for word in sorted(set(GREEK.values()), key=len, reverse=True) if name.startswith(word)),
+        name[:1],
+    )
 
 
 def _customary(name: str) -> tuple[Dimension, ...]:

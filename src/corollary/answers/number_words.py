@@ -68,6 +68,16 @@ def product_in_signs(formula: str, *, cross: bool) -> str:
     return CROSS.sub("*", formula) if cross else formula
 
 
+COUNTED = (  # what is counted where a plain number is asked for
+    "bounce collision hit impact kick step stage jump throw photon electron proton neutron atom molecule ion particle nucleus nuclei wave "
+    "wavelength fringe maximum maxima minimum minima order slit line node antinode loop winding coil swing oscillation vibration period ball "
+    "block car person people student resistor bulb cell battery time place way solution value day-old "
+    "Stoß Stöße Photon Photonen Elektron Elektronen Welle Wellen Teilchen Atom Atome Schwingung Schwingungen Ordnung Ordnungen Kugel Kugeln "
+    "støt elektroner fotoner bølger svingninger"
+).split()
+NOUN = re.compile(rf"(?<=[0-9])\s+\(?(?:{'|'.join(COUNTED)})(?:s|es)?\)?\s*$", re.IGNORECASE)
+
+
 def _in_degrees(found: re.Match[str]) -> str:
     """`19°6'` as `19.10°`, `19°6'30"` as `19.1083°`."""
     minutes, seconds = int(found[2]), float((found[3] or "0").replace(",", "."))
@@ -79,7 +89,7 @@ def in_digits(normalized: str, *, pure: bool) -> str:
     normalized = CROSS.sub("*", PER_CENT.sub("%", normalized))
     normalized = IN_MINUTES.sub(_in_degrees, normalized)
     if pure:
-        normalized = SHARE.sub("", normalized)
+        normalized = NOUN.sub("", SHARE.sub("", normalized))
         text = normalized.strip().rstrip(".!")
         if found := RATIO.fullmatch(text):
             return f"{found[1]}/{found[2]}"

@@ -7,7 +7,15 @@ import re
 from dataclasses import replace
 
 from corollary.answers.answer import Blank, Formulas, Numbers, Unclear
-from corollary.answers.formula import EQUALS, as_typed, dimension_in, fitting, formula, formulas, other_dimension
+from corollary.answers.formula import (
+    EQUALS,
+    as_typed,
+    dimension_in,
+    fitting,
+    formula,
+    formulas,
+    other_dimension,
+)
 from corollary.answers.machine_number import exact, machine, sure
 from corollary.answers.quantity import TABLE, Reading, read_quantity
 from corollary.answers.question import Question
@@ -90,7 +98,12 @@ def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear
     found = read_quantity(text, unit, question)
     if isinstance(found, Reading) and found.fit != "wrong dimension":
         return from_reading(found, unit)
-    if isinstance(found, ParseError) and found.status == "asked" and found.position is None and EQUALS.search(text):
+    if (
+        isinstance(found, ParseError)
+        and found.status == "asked"
+        and found.position is None
+        and (found.choices or EQUALS.search(text))
+    ):
         several = meanings(found, text, unit)
         return Unclear(sentence(found), as_typed(text), several, benefit=bool(several))
     tree = formula(text, question)
@@ -122,7 +135,11 @@ def meanings(trouble: ParseError, text: str, unit: Unit) -> tuple[Numbers, ...]:
     """What an ambiguous text could mean: each choice put in the place of the number it is about."""
     if trouble.choices and trouble.position is None:  # a left side that was solved
         found = (read_quantity(choice, unit) for choice in trouble.choices)
-        return tuple(from_reading(each, unit) for each in found if isinstance(each, Reading) and each.fit != "wrong dimension")
+        return tuple(
+            from_reading(each, unit)
+            for each in found
+            if isinstance(each, Reading) and each.fit != "wrong dimension"
+        )
     number = (
         AMBIGUOUS.search(text) if trouble.status == "asked" else None
     )  # only a text short enough to be read is asked about
@@ -150,7 +167,9 @@ def from_reading(found: Reading, unit: Unit) -> Numbers:
     misfit = found.why if found.fit == "wrong dimension" else ""
     polar = (from_reading(found.polar[0], unit), from_reading(found.polar[1], unit)) if found.polar else None
     figures = (sure(found.least, found.figures),)
-    return Numbers((value,), figures, found.as_read, missing, misfit, sizes=size, polar=polar, beside=found.beside)
+    return Numbers(
+        (value,), figures, found.as_read, missing, misfit, sizes=size, polar=polar, beside=found.beside
+    )
 
 
 def _in_parts_unit(found: Reading, unit: Unit) -> str:

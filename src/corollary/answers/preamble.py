@@ -121,7 +121,11 @@ def _last_side(text: str) -> tuple[int, list[str]]:
         return 0, []
     starts, ends = [0, *(each.end() for each in found)], [each.start() for each in found]
     sides = [text[start:end].strip() for start, end in zip(starts, ends, strict=False)]
-    return (0, []) if NO_SIDE.search(CALL.sub("", text[: ends[-1]])) else (found[-1].end(), [side for side in sides if side])
+    return (
+        (0, [])
+        if NO_SIDE.search(CALL.sub("", text[: ends[-1]]))
+        else (found[-1].end(), [side for side in sides if side])
+    )
 
 
 def _depth(text: str) -> int:

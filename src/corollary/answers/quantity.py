@@ -39,17 +39,29 @@ from corollary.units.unit import ONE, PURE, Dimension, Unit, called, read_unit, 
 _ = catalogue(__name__)
 
 MOST_SIDES = 5
+NEAR = 0.05  # two sides of a chain are rounded each for itself, often to one figure
 ROUND = str.maketrans("[]{}", "()()")
 TABLE = re.compile(r"^\s*\|[^|]*\|[^|]+\|\s*$|\|\s*:?-{3,}", re.MULTILINE)  # of Markdown
 TWICE = re.compile(
-    r"\s*([^()=]*[^()=\s])\s*(?:\(|[,;]\s*(?:or|i\.e\.|that is)\s)\s*=?\s*([^()=]*[^()=\s])\s*\)?\s*"
+    r"\s*([^()=]*[^()=\s])\s*(?:(?P<open>\()|[,;]\s*(?:or|i\.e\.|that is)\s)\s*=?\s*([^()=]*[^()=\s])\s*(?(open)\))\s*"
 )
 
 CHARGE, CHARGED = Dimension.of("A s"), re.compile(r"(?<![A-Za-z])(?:[pnumk]?C|e|[mkMGT]?eV)(?![A-Za-z])")
-EULER = re.compile(r"(?<![A-Za-z_.])e(?![A-Za-z0-9_+])(?!-[0-9])|(?<![A-Za-z_.0-9])e(?=\s*(?:\^|\*\*|[⁻⁰¹²³⁴-⁹]))")
+EULER = re.compile(
+    r"(?<![A-Za-z_.])e(?![A-Za-z0-9_+])(?!-[0-9])|(?<![A-Za-z_.0-9])e(?=\s*(?:\^|\*\*|[⁻⁰¹²³⁴-⁹]))"
+)
+BOTH_SIGNS = re.compile(
+    r"\s*\(?(?P<middle>[-+]?[0-9.,]+)\s*(?P<own>[°%A-Za-zµ][^±]*?)?\s*(?:±|\+/-|\+-)\s*(?P<half>[0-9.,]+)\)?\s*(?P<unit>[°%A-Za-zµ].*?)?\s*"
+)
+LOST_POWER = re.compile(
+    r"(?<![0-9.,])(?P<number>[0-9]+(?:[.,][0-9]+)?)\s?[xX×·⋅]\s?10(?P<power>[1-9][0-9]?)(?![0-9.,^*])"
+)
+HEXADECIMAL = re.compile(r"(?<![0-9.,A-Za-z])0[xXbBoO][0-9A-Fa-f]")
 GLUED = re.compile(r"(?<=[A-Za-z²³°%])([+-])(?=[0-9.,]+\s*[A-Za-zµ°%])")
 PIECE = re.compile(r"([0-9]+(?:[.,][0-9]+)?)\s*(°|[A-Za-zµ]+)")
-SEVERAL = re.compile(rf"\s*[-+]?(?:{PIECE.pattern}(?:\s+|(?=[0-9]))(?:and\s+|und\s+|og\s+)?)+{PIECE.pattern}\.?\s*")
+SEVERAL = re.compile(
+    rf"\s*[-+]?(?:{PIECE.pattern}(?:\s+|(?=[0-9]))(?:and\s+|und\s+|og\s+)?)+{PIECE.pattern}\.?\s*"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,9 +86,7 @@ class Reading:
     beside: tuple[Expr, ...] = ()
 
 
-def read_quantity(
-    text: str, expected: Unit | None, question: Question | None = None
-) -> Reading | ParseError:
+def read_quantity(text: str, expected: Unit | None, question: Question | None = None) -> Reading | ParseError:
     """The number and unit a text stands for, or the calculation left standing in it. Without `expected` every unit fits.
 
     With the `question`, a left side that is a formula of its givens is known to stand for the answer.
@@ -85,27 +95,56 @@ def read_quantity(
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
     typed = motion_in_number(by_hand(text))
     if typed != text:
-        trace.took("strip_preamble", text, typed)
+        trace.took("rewrite", text, typed)
     normalized, skipped, sides = answer_in(typed.translate(TO_ASCII))
     if asked := in_brackets(normalized):
         return _placed(asked, skipped, rewritten=text != typed)
     if TABLE.search(typed):
         return refused(_("a table is not read here"), None, _("write one number and a unit"))
+    if (lost := LOST_POWER.search(typed)) is not None:
+        before, behind = typed[: lost.start()], typed[lost.end() :]
+        choices = tuple(
+            f"{before}{lost['number']}*{power}{behind}"
+            for power in (f"10^{lost['power']}", f"10{lost['power']}")
+        )
+        why = _("{text} can be a power of ten or a product", text=lost[0].strip())
+        return ParseError("asked", why, None, _("write {choices}", choices=_(" or ").join(choices)), choices)
+    if HEXADECIMAL.search(normalized):
+        return refused(
+            _("{text} is no decimal number", text=normalized.strip()),
+            skipped,
+            _("write one number and a unit"),
+        )
     normalized, spread = without_spread(normalized)
     if spread:
         trace.took("split_uncertainty", spread, normalized)
-    found = _alone(text, normalized, expected)
+    with trace.silent():
+        found = _alone(text, normalized, expected)
     if isinstance(found, ParseError):
         return _placed(found, skipped, rewritten=text != typed)
+    _note(normalized, found)
     if sides:
-        beside = _beside_sides(sides, found, expected, question)
+        with trace.silent():
+            beside = _beside_sides(sides, found, expected, question)
         if isinstance(beside, ParseError):
             return beside
         found = replace(found, beside=beside)
     if spread and not _is_small(spread, found):
         why = _("an uncertainty of more than a tenth leaves the value open")
         return refused(why, None, _("write one number and a unit"))
-    return found
+    return replace(found, as_read=f"{found.as_read} ± {spread.strip()}") if spread else found
+
+
+def _note(normalized: str, found: Reading) -> None:
+    """Record the number and the unit that were read: apart where one number stands before one unit, else as one calculation."""
+    number = scan_number(normalized)
+    rest = "" if isinstance(number, ParseError) else normalized[number[1] :].strip()
+    if isinstance(number, ParseError) or number[0].value != found.value or (found.unit is None and rest):
+        trace.took("parse_number", normalized, "")
+        return
+    trace.took("parse_number", normalized[: number[1]], rest)
+    if rest:
+        trace.took("parse_unit", rest, "")
 
 
 def _beside_sides(
@@ -138,7 +177,11 @@ def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | No
     why = _("{side} stands on the left, not the answer alone", side=side)
     found = solvable(side)
     turns = found is not None and found.function in ("sin", "cos", "tan")
-    if found is None or (found.function and last.unit is not None) or not unknown_letter(found.name, question):
+    if (
+        found is None
+        or (found.function and last.unit is not None)
+        or not unknown_letter(found.name, question)
+    ):
         return ParseError("asked", why, None, _("write one number and a unit"))
     value = solved_value(found, in_si(last) if found.function else float(last.value))
     if value is None:
@@ -148,17 +191,23 @@ def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | No
     else:
         its_unit = "" if found.function else f" {last.unit.text}" if last.unit is not None else ""
     choice = f"{decimal_text(Fraction(f'{value:.6g}'), 0)}{its_unit}"
-    why = _("{side} = {value} gives {name} = {choice}", side=side, value=last.as_read, name=found.name, choice=choice)
+    why = _(
+        "{side} = {value} gives {name} = {choice}",
+        side=side,
+        value=last.as_read,
+        name=found.name,
+        choice=choice,
+    )
     return ParseError("asked", why, None, _("write the answer alone"), (choice,))
 
 
 def _agree(one: Reading, other: Reading) -> bool:
     """True if two sides are the same value; a bare number may stand for either unit."""
-    if one.unit is not None and other.unit is not None and one.fit == other.fit:
-        return math.isclose(in_si(one), in_si(other), rel_tol=0.05, abs_tol=1e-12)
-    return math.isclose(in_si(one), in_si(other), rel_tol=0.05, abs_tol=1e-12) or math.isclose(
-        one.value, other.value, rel_tol=0.05, abs_tol=1e-12
+    same = math.isclose(in_si(one), in_si(other), rel_tol=NEAR, abs_tol=1e-12)
+    bare = (one.unit is None and one.fit == "unit missing") or (
+        other.unit is None and other.fit == "unit missing"
     )
+    return same or (bare and math.isclose(one.value, other.value, rel_tol=NEAR, abs_tol=1e-12))
 
 
 def _alone(text: str, normalized: str, expected: Unit | None) -> Reading | ParseError:
@@ -171,7 +220,11 @@ def _alone(text: str, normalized: str, expected: Unit | None) -> Reading | Parse
         if isinstance(worked, Reading):
             return worked
     found = _number_and_unit(text, normalized, expected)
-    if isinstance(found, Reading) and found.fit != "fits" and (spaced := GLUED.sub(r" \1 ", normalized)) != normalized:
+    if (
+        isinstance(found, Reading)
+        and found.fit != "fits"
+        and (spaced := GLUED.sub(r" \1 ", normalized)) != normalized
+    ):
         worked = _worked(text, spaced, expected)  # `9 m-2 cm` is no power of the metre
         if isinstance(worked, Reading) and worked.fit == "fits":
             return worked
@@ -196,12 +249,21 @@ def _in_several_units(text: str, normalized: str, expected: Unit | None) -> Read
     sign = -1 if normalized.lstrip().startswith("-") else 1
     units, total = [read_unit(unit) for _number, unit in pieces], Fraction(0)
     first = units[0]
-    if not isinstance(first, Unit) or first.offset or first.pi != 0 or (expected and first.dimension != expected.dimension):
+    if (
+        not isinstance(first, Unit)
+        or first.offset
+        or first.pi != 0
+        or (expected and first.dimension != expected.dimension)
+    ):
         return None
     figures, before = 0, Fraction(0)
     for (number, _unit), its_unit in zip(pieces, units, strict=True):
         read = scan_number(number)
-        if isinstance(read, ParseError) or not isinstance(its_unit, Unit) or its_unit.dimension != first.dimension:
+        if (
+            isinstance(read, ParseError)
+            or not isinstance(its_unit, Unit)
+            or its_unit.dimension != first.dimension
+        ):
             return None
         size = read[0].value * its_unit.factor
         if before and not (its_unit.factor < before and size < before):
@@ -235,7 +297,7 @@ def _same_twice(normalized: str, expected: Unit | None) -> Reading | ParseError 
         found
         if isinstance(found := _number_and_unit(each, each, expected), Reading)
         else _worked(each, each, expected)
-        for each in both.groups()
+        for each in both.group(1, 3)
     )
     if (
         isinstance(first, ParseError)
@@ -302,7 +364,7 @@ def read_quantities(
 
     With `names`, components that the text names (`p_y = 4, p_x = 3`) are put in their order.
     """
-    pieces = components_in(text, count, names)
+    pieces = components_in(text, count, names, angles=expected is not None and _is_angle(expected))
     match pieces:
         case ParseError():
             return pieces
@@ -320,20 +382,28 @@ def read_quantities(
 
 
 def components_in(
-    text: str, count: int, names: Sequence[str] = ()
+    text: str, count: int, names: Sequence[str] = (), *, angles: bool = False
 ) -> list[str] | tuple[str, str] | ParseError:
-    """The texts of the components, or those of a length and an angle."""
+    """The texts of the components, or those of a length and an angle; two `angles` are no such vector."""
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
     if TABLE.search(text):
         return refused(_("a table is not read here"), None, _("write the components as (3; 4) m/s"))
     typed = motion_in_numbers(by_hand(in_one_line(text, count)))
     normalized, skipped = without_preamble(typed.translate(TO_ASCII))
-    polar = length_and_angle(normalized)
+    if count == 2 and (both := BOTH_SIGNS.fullmatch(normalized)) is not None:  # `150° ± 90°`
+        middle, half = both["middle"], both["half"]
+        unit = both["unit"] or both["own"] or ""
+        return [f"{middle} {unit} {sign} {half} {unit}" for sign in "-+"]
+    polar = None if angles else length_and_angle(normalized)
     if isinstance(polar, tuple) and not (count == 2 and are_axes(names)):
         return refused(_("a length and an angle give a vector in a plane only"))
     pieces = pieces_of(normalized, count, names) if polar is None else polar
     return _placed(pieces, skipped, rewritten=text != typed) if isinstance(pieces, ParseError) else pieces
+
+
+def _is_angle(unit: Unit) -> bool:
+    return unit.dimension == ONE and (unit.pi != 0 or "rad" in unit.text)
 
 
 def _reading(

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import Any, cast
 
+from corollary.answers import trace
 from corollary.answers.answer import Answer, Numbers, Unclear
 from corollary.answers.direction import on_usual_axes, with_direction
 from corollary.answers.formula import formula_in, with_remark
@@ -32,8 +33,11 @@ class BadCase(ValueError):
     """The question itself is wrong; one sentence says what and what to do."""
 
 
-def read_case(case: Any) -> dict[str, Any]:
-    """One case {"text", "field", "unit", "equals", "names", "domain"} of the contract. Raises BadCase."""
+def read_case(case: Any, *, explain: bool = False) -> dict[str, Any]:
+    """One case {"text", "field", "unit", "equals", "names", "domain"} of the contract. Raises BadCase.
+
+    `explain` adds the stages of the reading: what each took, and what it left.
+    """
     asked = case
     if not isinstance(case, Mapping) or not isinstance(asked.get("text"), str):
         raise BadCase('a case is an object with a "text", such as {"text": "8,6 Ns", "unit": "kg m/s"}')
@@ -43,7 +47,13 @@ def read_case(case: Any) -> dict[str, Any]:
     if field not in FIELDS:
         raise BadCase(f'"field": {field!r} is not known; it is one of {", ".join(FIELDS)}')
     start = time.perf_counter()
-    found = {"quantity": _quantity, "expression": _expression, "unit": _unit}[field](asked)
+    reader = {"quantity": _quantity, "expression": _expression, "unit": _unit}[field]
+    if explain:
+        with trace.recorded() as stages:
+            found = reader(asked)
+        found["stages"] = [asdict(each) for each in stages]
+    else:
+        found = reader(asked)
     return {
         "text": case["text"],
         "field": field,
@@ -54,8 +64,14 @@ def read_case(case: Any) -> dict[str, Any]:
 
 def _quantity(case: Mapping[str, Any]) -> dict[str, Any]:
     expected = _expected(case)
-    in_words = _in_words(case["text"], expected) if expected is not None else None
-    found = in_words or read_quantity(case["text"], expected)
+    with trace.silent():
+        in_words = _in_words(case["text"], expected) if expected is not None else None
+    if in_words is None:
+        found = read_quantity(case["text"], expected)
+    else:
+        found, beside = in_words
+        trace.took("apply_direction", _words_beside(case["text"], beside), beside)
+        read_quantity(beside, expected)  # for its stages
     if isinstance(found, ParseError):
         return _trouble(found)
     assert isinstance(found, Reading)
@@ -77,7 +93,7 @@ def _quantity(case: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def _in_words(text: str, expected: Unit) -> Reading | ParseError | None:
+def _in_words(text: str, expected: Unit) -> tuple[Reading | ParseError, str] | None:
     """The quantity beside words on its direction, or on gain and loss, as an answer with them is read: `85.3 J lost`.
 
     None where the text has no such words.
@@ -92,14 +108,21 @@ def _in_words(text: str, expected: Unit) -> Reading | ParseError | None:
     if beside[-1] == text:
         return None
     if isinstance(answer, Unclear) and answer.readings:
-        return ParseError("asked", answer.why)
+        return ParseError("asked", answer.why), beside[-1]
     found = read_quantity(beside[-1], expected)
     if not isinstance(answer, Numbers) or isinstance(found, ParseError):
         return None
     sign = -1 if (answer.values[0] < 0) != (found.value < 0) else 1
-    return replace(
+    turned = replace(
         found, value=sign * found.value, si=(sign * found.si[0], found.si[1]), as_read=answer.as_read
     )
+    return turned, beside[-1]
+
+
+def _words_beside(text: str, beside: str) -> str:
+    """What stands in a text before and behind the number that was read of it."""
+    start = text.find(beside)
+    return text if start < 0 else f"{text[:start]} {text[start + len(beside) :]}".strip()
 
 
 def _unit(case: Mapping[str, Any]) -> dict[str, Any]:
@@ -135,6 +158,7 @@ def _expression(case: Mapping[str, Any]) -> dict[str, Any]:
     tree = formula_in(case["text"], letters, _expected(case))
     if isinstance(tree, ParseError):
         return _trouble(tree)
+    trace.took("parse_formula", case["text"], "")
     result = {
         "status": "ok",
         "read": with_remark(formula_text(tree), case["text"]),

@@ -7,10 +7,6 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
-STAGES = (
-    "strip_preamble", "solve_left_side", "split_remark", "split_uncertainty", "apply_direction", "parse_number", "parse_unit", "parse_formula",
-)  # fmt: skip
-
 
 @dataclass(frozen=True, slots=True)
 class Stage:
@@ -31,6 +27,16 @@ def recorded() -> Iterator[list[Stage]]:
     token = _stages.set(stages)
     try:
         yield stages
+    finally:
+        _stages.reset(token)
+
+
+@contextmanager
+def silent() -> Iterator[None]:
+    """Record nothing of the readings within: those of a side, or that were tried and not taken."""
+    token = _stages.set(None)
+    try:
+        yield
     finally:
         _stages.reset(token)
 

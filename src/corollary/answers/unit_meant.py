@@ -17,7 +17,9 @@ _ = catalogue(__name__)
 PLURAL = re.compile(r"(?<![A-Za-z])([A-Za-zµ]{2,})s(?![A-Za-z])")
 IN = re.compile(r"in\s+(?=\S)")
 # A temperature as it is typed in a hurry: `25 ⁰C` with a raised zero, `25 oC`, `25 C°`, `77 F`.
-DEGREE = re.compile(r"\s*(?:[⁰oO0]\s?|[°º]\s?|deg\s?)?(?P<scale>[CF])\s*[°º]?\s*|\s*(?:[°º⁰]|deg(?:rees?)?)\s*")
+DEGREE = re.compile(
+    r"\s*(?:[⁰oO0]\s?|[°º]\s?|deg\s?)?(?P<scale>[CF])\s*[°º]?\s*|\s*(?:[°º⁰]|deg(?:rees?)?)\s*"
+)
 UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")
 HERTZ, RADIANS = re.compile(r"Hz\b"), re.compile(r"\brad\b")
 METRES = re.compile(r"(?<![A-Za-z])ms(?=\s?[\^⁻*-])")
@@ -84,7 +86,11 @@ def _temperature(text: str, expected: Unit) -> Unit | ParseError | None:
 
 def _counted(unit: Unit, expected: Unit) -> Unit:
     """A turn as 1 where a number of turns or a frequency is asked for, and as 2 pi where an angle is."""
-    if expected.pi or unit.dimension != expected.dimension or re.search(r"\b(?:rad|deg|turn)\b", expected.text):
+    if (
+        expected.pi
+        or unit.dimension != expected.dimension
+        or re.search(r"\b(?:rad|deg|turn)\b", expected.text)
+    ):
         return unit
     power = unit.pi
     return replace(unit, factor=unit.factor / Fraction(2) ** power, pi=0)

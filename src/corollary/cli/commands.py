@@ -94,6 +94,7 @@ command(
     text("--names", "The letters of the formula: m,v,M"),
     several("--domain", "domain", "Where a letter lives: v=-10..10"),
     path("--cases", text='A JSON list of {"text": …, "field": …}.'),
+    flag("--explain", "Print the stages of the reading: what each took, what it left."),
     JSON,
 )
 command(

@@ -17,12 +17,13 @@ def run(
     names: str | None,
     domain: list[str],
     cases: Path | None,
+    explain: bool,
     as_json: bool,
 ) -> int:
     if (text is None) == (cases is None):
         refuse("give an answer to read, or --cases FILE with a list of them")
     if cases is not None:
-        found = [_listed(case) for case in read_cases(cases)]
+        found = [_listed(case, explain) for case in read_cases(cases)]
         answer(found)
         return HOLDS
     case: dict[str, Any] = {
@@ -35,7 +36,7 @@ def run(
     if equals is not None or names is not None:
         case["field"] = "expression"
     try:
-        found = read_case(case)
+        found = read_case(case, explain=explain)
     except BadCase as error:
         refuse(str(error))
     if as_json:
@@ -45,9 +46,9 @@ def run(
     return HOLDS if found["status"] == "ok" and found["verdict"] in (None, "compatible", "equal") else FAILS
 
 
-def _listed(case: Any) -> dict[str, Any]:
+def _listed(case: Any, explain: bool) -> dict[str, Any]:
     try:
-        return read_case(case)
+        return read_case(case, explain=explain)
     except BadCase as error:
         return {"error": str(error)}
 
@@ -68,6 +69,10 @@ def _domain(options: list[str]) -> dict[str, list[float]]:
 
 
 def _show(found: dict[str, Any]) -> None:
+    stages: list[dict[str, str]] = found.get("stages") or []
+    for stage in stages:
+        left = f", left {stage['left']!r}" if stage["left"] else ""
+        print(f"{stage['stage']}: took {stage['took']!r}{left}")
     if found["status"] != "ok":
         print(f"{found['status']}: {found['why']}")
         return

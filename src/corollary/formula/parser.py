@@ -59,7 +59,13 @@ def _formula(line: Line, least: int) -> Expr:
             tree, grows = Relation(token.text, tree, _formula(line, COMPARE)), None
         elif token.kind == "sign" and token.text in "+-" and least < ADD:
             line.take()
-            if line.student and line.next.kind == "sign" and line.next.text in "+-" and line.next.text != token.text and line.next.tight:
+            if (
+                line.student
+                and line.next.kind == "sign"
+                and line.next.text in "+-"
+                and line.next.text != token.text
+                and line.next.tight
+            ):
                 refuse(_("+- can be ± or minus"), token.at, _("write one sign"))
             term = _formula(line, ADD)
             term = Negative(term) if token.text == "-" else term
@@ -126,7 +132,10 @@ def _raised(line: Line, base: Expr, token: Token) -> Expr:
     behind, tens = line.next, base == Number(Fraction(10)) or base == Call("exp", (Number(Fraction(1)),))
     product = tens and behind.kind == "name" and behind.tight and isinstance(bottom, Number | Name)
     quotient = (
-        behind.kind == "sign" and behind.text == "/" and behind.tight and (bottom == Number(Fraction(1)) or (tens and isinstance(bottom, Name)))
+        behind.kind == "sign"
+        and behind.text == "/"
+        and behind.tight
+        and (bottom == Number(Fraction(1)) or (tens and isinstance(bottom, Name)))
     )
     if not (line.student and typed and (product or quotient)) or line.lean == "near":
         return near

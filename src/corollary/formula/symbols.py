@@ -36,11 +36,32 @@ RUN = re.compile(
 )
 LONGEST_RUN = 60
 # Capital Greek letters that are typed, and copied, as the Latin ones they look like.
-LATIN = dict(zip("Alpha Beta Epsilon Zeta Eta Iota Kappa Mu Nu Omicron Rho Tau Upsilon Chi".split(), "ABEZHIKMNOPTYX", strict=True))
+LATIN = dict(
+    zip(
+        [
+            "Alpha",
+            "Beta",
+            "Epsilon",
+            "Zeta",
+            "Eta",
+            "Iota",
+            "Kappa",
+            "Mu",
+            "Nu",
+            "Omicron",
+            "Rho",
+            "Tau",
+            "Upsilon",
+            "Chi",
+        ],
+        "ABEZHIKMNOPTYX",
+        strict=True,
+    )
+)
 INVERSE = frozenset({"asin", "acos", "atan", "asinh", "acosh", "atanh"})
 
 
-CONJUNCTIONS = frozenset("and or und oder og eller et ou".split())
+CONJUNCTIONS = frozenset(["and", "or", "und", "oder", "og", "eller", "et", "ou"])
 
 Word = Literal["name", "function", "e", "degree"]
 Meaning = tuple[Word, str]
@@ -75,7 +96,11 @@ def _letters(names: frozenset[str], functions: tuple[str, ...]) -> Letters:
     known = function_words()
     for typed in functions:  # and as other systems have them: `Sin`, `SQRT`
         if len(typed) > 2 and typed.islower():
-            exact |= {each: ("function", known[typed]) for each in (typed.capitalize(), typed.upper()) if each not in functions}
+            exact |= {
+                each: ("function", known[typed])
+                for each in (typed.capitalize(), typed.upper())
+                if each not in functions
+            }
     exact |= {typed: ("function", known[typed]) for typed in functions}
     exact |= _unshared((spelling, name) for name in names for spelling in _spellings(name))
     exact |= {key: ("name", name) for name in names for key in (name, name.replace("_", ""))}

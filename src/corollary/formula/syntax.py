@@ -21,7 +21,9 @@ from corollary.messages import catalogue
 
 _ = catalogue(__name__)
 
-INDEXED = re.compile(rf"(?<![A-Za-z0-9_])([{LETTER}]+)\[([0-9]{{1,2}}|[A-Za-z]|[0-9A-Za-z]{{1,2}},[0-9A-Za-z]{{1,2}})\]")
+INDEXED = re.compile(
+    rf"(?<![A-Za-z0-9_])([{LETTER}]+)\[([0-9]{{1,2}}|[A-Za-z]|[0-9A-Za-z]{{1,2}},[0-9A-Za-z]{{1,2}})\]"
+)
 LEFT = re.compile(rf"\s*({RUN.pattern})\s*(?:\(\s*t\s*\)\s*)?=(?!=)")
 
 
@@ -75,7 +77,10 @@ def _with_indices(line: str, known: Letters) -> str | ParseError:
     """`v[0]` as v_0 where there is such a letter; asked about where a letter stands before a bracket with digits alone."""
     for found in INDEXED.finditer(line):
         name = f"{found[1]}_{found[2]}"
-        if not isinstance(read_run(found[1] + found[2], 0, known), ParseError) and name.replace("_", "") in known.exact:
+        if (
+            not isinstance(read_run(found[1] + found[2], 0, known), ParseError)
+            and name.replace("_", "") in known.exact
+        ):
             line = line.replace(found[0], f"{name}".ljust(len(found[0])), 1)
         elif found[2].isdigit() or "," in found[2]:
             return ambiguous(

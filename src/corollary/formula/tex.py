@@ -24,7 +24,9 @@ REPLACEMENTS = {
     "qquad": " ",
     "left": "",
     "right": "",
-    **dict.fromkeys((f"{size}{side}" for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")), ""),
+    **dict.fromkeys(
+        (f"{size}{side}" for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")), ""
+    ),
     "middle": "",
     **dict.fromkeys(("thinspace", "medspace", "thickspace", "enspace", "space", "nobreakspace"), " "),
     "negthinspace": "",
@@ -163,7 +165,9 @@ def _round_brackets(text: str) -> str:
 def _grouped(found: re.Match[str]) -> str:
     """A group as it is read: a sum beside a factor keeps its brackets."""
     before, behind = found.string[: found.start()].rstrip()[-1:], found.string[found.end() :].lstrip()[:1]
-    beside = before.isalnum() or before in (")", "*", "/") or behind.isalnum() or behind in ("(", "*", "/", "^")
+    beside = (
+        before.isalnum() or before in (")", "*", "/") or behind.isalnum() or behind in ("(", "*", "/", "^")
+    )
     return f"({found[1]})" if beside and re.search(r"[^\s(]\s*[-+]", found[1]) else found[1]
 
 

@@ -157,8 +157,14 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
             for tree in beside:
                 found = values_of((tree,), expected.quantity.givens())
                 if found is not None and not math.isclose(found[0], value, rel_tol=0.05, abs_tol=1e-12):
-                    why = _("{formula} does not come to {answer}", formula=formula_text(tree), answer=answer.as_read)
-                    return Unread(_("This could not be read: {why}", why=f"{why}; {_('write the answer alone')}."))
+                    why = _(
+                        "{formula} does not come to {answer}",
+                        formula=formula_text(tree),
+                        answer=answer.as_read,
+                    )
+                    return Unread(
+                        _("This could not be read: {why}", why=f"{why}; {_('write the answer alone')}.")
+                    )
             return judging(name).judge(answer, expected)
         case _:
             return judging(name).judge(answer, expected)

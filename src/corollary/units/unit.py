@@ -145,7 +145,9 @@ def _factors(
                 return group
             within, unsure, its_doubt, number = group
             if unsure:
-                return refused(_("it is not clear what stands below the slash"), its_doubt, _("write brackets"))
+                return refused(
+                    _("it is not clear what stands below the slash"), its_doubt, _("write brackets")
+                )
             power = _power(marks[number - 1]["raised"] or "")
             if not power or abs(power) > LARGEST_POWER:
                 return refused(_("a bracket to this power does not occur here"), at)
@@ -207,7 +209,9 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
 def _splits(run: str) -> list[tuple[Unit, ...]]:
     """Every way to cut run-together letters (`Ns`, `kgm`) into two or three units."""
     known = [cut for cut in cuts(run) if all(piece in UNITS and piece not in APART for piece in cut)]
-    found = [tuple(UNITS[piece] for piece in cut) for cut in known if "K" not in cut[:-1]]  # Kgm: kg m, no kelvin
+    found = [
+        tuple(UNITS[piece] for piece in cut) for cut in known if "K" not in cut[:-1]
+    ]  # Kgm: kg m, no kelvin
     if found:
         return found
     for first, *rest in cuts(run):  # `mPas`, `cNm`: with a prefix that no row lists

@@ -25,9 +25,15 @@ RAISED_BEFORE = re.compile(
     r"(?<![A-Za-z])(?:(?P<square>square|sq\.?|Quadrat-?|kvadrat-?)|(?:cubic|cu\.?|Kubik-?|kubikk-?))\s*(?P<unit>(?!d\b)[A-Za-zµ]+)(?![A-Za-z^])",
     re.IGNORECASE,
 )
-PREFIX_APART = re.compile(r"(?<![A-Za-z])(kilo|milli|centi|mega|giga|micro|nano)[ -]+(?=[a-z]{4,})", re.IGNORECASE)
-SHORTENED = re.compile(r"(?<![A-Za-z])((?i:micro|milli|nano|kilo))(?=(?:mol|m|g|s|N|J|W|V|A|Pa|Hz|eV|C|F)(?![A-Za-z]))")
-MICRO = re.compile(r"(?<![A-Za-z])mu\s*(?=(?:m|g|s|A|V|C|F|N|J|W|H|T|Pa|mol|l|L)(?![A-Za-z]))")  # `\\mu m` without its backslash
+PREFIX_APART = re.compile(
+    r"(?<![A-Za-z])(kilo|milli|centi|mega|giga|micro|nano)[ -]+(?=[a-z]{4,})", re.IGNORECASE
+)
+SHORTENED = re.compile(
+    r"(?<![A-Za-z])((?i:micro|milli|nano|kilo))(?=(?:mol|m|g|s|N|J|W|V|A|Pa|Hz|eV|C|F)(?![A-Za-z]))"
+)
+MICRO = re.compile(
+    r"(?<![A-Za-z])mu\s*(?=(?:m|g|s|A|V|C|F|N|J|W|H|T|Pa|mol|l|L)(?![A-Za-z]))"
+)  # `\\mu m` without its backslash
 OMEGA = re.compile(r"(?<![A-Za-z])([kMmGu]?)\s*Omega(?![A-Za-z])")
 ALL = re.compile(r"\s*\[([^\[\]]*)\]\s*|\s*\(([^()]*)\)\s*")
 # °C is no degree times a coulomb. A difference of temperatures is written with a delta: `Δ°C`, `delta K`.
@@ -45,7 +51,9 @@ def in_signs(text: str) -> str:
     text = RAISED_BEHIND.sub(lambda found: f"^{2 if found[1].lower() == 'squared' else 3}", text)
     text = RAISED_BEFORE.sub(lambda found: f"{found['unit']}^{2 if found['square'] else 3}", text)
     text = PREFIX_APART.sub(r"\1", text.replace("electron volt", "electronvolt"))
-    text = SHORTENED.sub(lambda found: {"micro": "u", "milli": "m", "nano": "n", "kilo": "k"}[found[1].lower()], text)
+    text = SHORTENED.sub(
+        lambda found: {"micro": "u", "milli": "m", "nano": "n", "kilo": "k"}[found[1].lower()], text
+    )
     text = OMEGA.sub(r"\1ohm", MICRO.sub("u", text))
     text = SPEED.sub(lambda found: SPEEDS[found[0]], text)
     text = COMPOUND.sub(r"\1 ", text)

@@ -22,6 +22,19 @@ FROM_TO = re.compile(
     r"\s*(?:(?:from|between|von|zwischen|fra|mellom)\s+)?(?P<low>\S.*?)\s+(?:to|and|bis|und|til|og|\.\.\.?|…)\s+(?P<high>\S.*?)\s*",
     re.IGNORECASE,
 )
+NUMBER_AND_UNIT = (
+    r"[-+−]?\s*[0-9][0-9.,eE]*(?<![.,])(?:\s*(?!(?:and|und|og)\b)[°%A-Za-zµ][^\s<>;\[\](),–—-]*)?"
+)
+DASH = re.compile(
+    rf"\s*(?P<low>{NUMBER_AND_UNIT})\s*(?:\.\.+|…|–|—|-|−|\bto\b)\s*(?P<high>{NUMBER_AND_UNIT})\s*"
+)
+OPEN = re.compile(
+    rf"\s*[\[\](]\s*(?P<low>{NUMBER_AND_UNIT})\s*[;,|]\s*(?P<high>{NUMBER_AND_UNIT})\s*[\[\])]\s*(?P<unit>[°%A-Za-zµ].*)?"
+)
+TWO_BOUNDS = re.compile(
+    rf"\s*(?:[^\W\d]\w*\s*)?[>≥]=?\s*(?P<low>{NUMBER_AND_UNIT})\s*(?:,|;|and|und|og|&|\s)\s*(?:[^\W\d]\w*\s*)?[<≤]=?\s*(?P<high>{NUMBER_AND_UNIT})\s*",
+    re.IGNORECASE,
+)
 CHAIN = re.compile(r"(?P<low>[^<≤>≥=]+)(?:[<>]=?|[≤≥])\s*[^\W\d]\w*\s*(?:[<>]=?|[≤≥])(?P<high>[^<≤>≥=]+)")
 ONE_END = re.compile(r"\s*(?:[^\W\d]\w*\s*(?:[<>]=?|[≤≥]))?\s*(?P<end>[^<≤>≥=]+)")
 AROUND = re.compile(
@@ -49,8 +62,14 @@ class IntervalType(AnswerType):
         if isinstance(value, Text) and len(value.text) <= LONGEST:
             if (around := AROUND.fullmatch(value.text)) is not None:
                 return _around(around["middle"], around["half"], around["unit"], question)
-            found = CHAIN.fullmatch(value.text) or FROM_TO.fullmatch(value.text)
-            if found is not None:
+            if (found := OPEN.fullmatch(value.text)) is not None:
+                value = Text(f"({found['low']}; {found['high']}) {found['unit'] or ''}".strip())
+            elif (
+                found := TWO_BOUNDS.fullmatch(value.text)
+                or CHAIN.fullmatch(value.text)
+                or DASH.fullmatch(value.text)
+                or FROM_TO.fullmatch(value.text)
+            ) is not None:
                 value = Text(f"{found['low']}; {found['high']}")
         answer = vector(value, question)
         if isinstance(answer, Numbers):

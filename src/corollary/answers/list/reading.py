@@ -72,7 +72,7 @@ def _wanted(value: Value, count: int) -> int:
     """As many as are asked for, unless the value says how many there are: nothing but blanks (`2 5 s`) parts no numbers."""
     match value:
         case Text(text) if not PARTED.search(text):
-            return 1
+            return count if count == 2 and "±" in text else 1
         case Items(items) if items and not any(isinstance(item, Items) for item in items):
             return len(items)
         case _:
