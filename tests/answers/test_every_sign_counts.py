@@ -17,7 +17,7 @@ TYPED = Path(__file__).parents[1] / "grading" / "answers"
 TALK = {"strip_preamble", "split_remark", "apply_direction", "solve_left_side"}
 # What may be left out and says the same: signs of products, marks of TeX and Markdown, and the zero before a point.
 IDLE = re.compile(
-    r"[\u200b-\u200f\u2062\ufeff*·×⋅ \s\\${}_`'\"]|(?<![0-9])\+|(?<=[eE])\+|\+(?=\s*[0-9])|(?<![0-9.,])0+(?=[0-9.,])"
+    r"[\u200b-\u200f\u2062\ufeff*·×⋅ \s\\${}_`'\"]|(?<![0-9])\+|(?<=[eE])\+|\+(?=\s*[0-9])|(?<![0-9.,])0+(?=[0-9.,․])|\((?=at rest)"
 )
 
 
@@ -107,7 +107,7 @@ QUANTITY = st.one_of(
         NUMBER,
         st.just(" N"),
     ).map("".join),
-    st.tuples(st.integers(1, 9).map(str), st.sampled_from(["! N", "! * 2 N", "*2! N"])).map("".join),
+    st.tuples(st.integers(3, 9).map(str), st.sampled_from(["! N", "! * 2 N", "*3! N"])).map("".join),
 )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -93,9 +93,26 @@ def solvable(side: str) -> Solved | None:
     return None
 
 
-INVERSES = {
-    "sin": math.asin, "cos": math.acos, "tan": math.atan, "ln": math.exp, "log10": lambda value: 10.0**value, "exp": math.log,
-    "sqrt": lambda value: value**2 if value >= 0 else math.nan, "1/": lambda value: 1 / value,
+def _power_of_ten(value: float) -> float:
+    return math.pow(10.0, value)
+
+
+def _square(value: float) -> float:
+    return value**2 if value >= 0 else math.nan
+
+
+def _reciprocal(value: float) -> float:
+    return 1 / value
+
+
+def _keyboard(run: str) -> str:
+    """The letters of a name as they are typed: `theta` of θ, `v2` of v₂."""
+    return "".join(GREEK.get(each) or LOWERED.get(each, each) for each in run)
+
+
+INVERSES: dict[str, Callable[[float], float]] = {
+    "sin": math.asin, "cos": math.acos, "tan": math.atan, "ln": math.exp, "log10": _power_of_ten, "exp": math.log,
+    "sqrt": _square, "1/": _reciprocal,
 }  # fmt: skip
 
 
@@ -139,7 +156,7 @@ def _letters_in(side: str, givens: Mapping[str, Dimension]) -> Collection[str]:
     """The names a left side may be made of: the givens, and each run of letters with its index, or its letters one by one."""
     found = set(givens)
     for run in re.findall(r"(?:(?:delta|Delta|[Δ∆])\s*)?[^\W\d_](?:_\{\w+\}|\w)*", side):
-        name = re.sub(r"[^A-Za-z0-9_]", "", "".join(GREEK.get(each, LOWERED.get(each, each)) for each in run))
+        name = re.sub(r"[^A-Za-z0-9_]", "", _keyboard(run))
         if name in function_words() or name == "pi":
             continue
         found |= (
@@ -178,7 +195,7 @@ def _ratio(text: str) -> Fraction:
 
 def unknown_letter(name: str, question: Question | None) -> bool:
     """True if a letter is none of the givens, so that it can stand for the answer."""
-    plain = re.sub(r"[^A-Za-z0-9]", "", "".join(GREEK.get(each, LOWERED.get(each, each)) for each in name))
+    plain = re.sub(r"[^A-Za-z0-9]", "", _keyboard(name))
     return question is not None and plain not in {each.replace("_", "") for each in question.symbol_names}
 
 

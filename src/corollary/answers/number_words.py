@@ -74,8 +74,8 @@ COUNTED = (  # what is counted where a plain number is asked for
     "block car person people student resistor bulb cell battery time place way solution value day-old "
     "Stoß Stöße Photon Photonen Elektron Elektronen Welle Wellen Teilchen Atom Atome Schwingung Schwingungen Ordnung Ordnungen Kugel Kugeln "
     "støt elektroner fotoner bølger svingninger"
-).split()
-NOUN = re.compile(rf"(?<=[0-9])\s+\(?(?:{'|'.join(COUNTED)})(?:s|es)?\)?\s*$", re.IGNORECASE)
+)
+NOUN = re.compile(rf"(?<=[0-9])\s+\(?(?:{'|'.join(COUNTED.split())})(?:s|es)?\)?\s*$", re.IGNORECASE)
 
 
 def _in_degrees(found: re.Match[str]) -> str:

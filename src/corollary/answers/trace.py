@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ _stages: ContextVar[list[Stage] | None] = ContextVar("stages", default=None)
 
 
 @contextmanager
-def recorded() -> Iterator[list[Stage]]:
+def recorded() -> Generator[list[Stage]]:
     """Record the stages of the readings within."""
     stages: list[Stage] = []
     token = _stages.set(stages)
@@ -32,7 +32,7 @@ def recorded() -> Iterator[list[Stage]]:
 
 
 @contextmanager
-def silent() -> Iterator[None]:
+def silent() -> Generator[None]:
     """Record nothing of the readings within: those of a side, or that were tried and not taken."""
     token = _stages.set(None)
     try:
