@@ -39,6 +39,7 @@ MARKS = (
 )
 LED = re.compile(r"\s*[=≈~]\s*|\s*(?:[Δ∆]\s*)?[^\W\d][^\s=≈~()\[\],;:+*/-]{0,7}\s*[=≈~]\s*(?=[(\[<{⟨])")
 LEFT = re.compile(r"\s*[(\[<{]([^()\[\]<>{}=≈]*)[)\]>}]\s*[=≈]\s*(?=[(\[<{⟨])")
+GROUPS = re.compile(r"\s*\([^()]*\)(?:\s*(?:and|und|og|,|;|&)\s*\([^()]*\))+\s*")
 OF = r"(?:for|in|along|of|für|entlang|langs|i)\s+(?:the |ball |block |body )*"
 COMPONENT = r"(?:[- ](?:component|direction|axis|part|coordinate))?"
 NAMED = re.compile(r"\s*(?P<name>[^\W\d][^\s=:]{0,11})\s*[=:≈]")
@@ -69,6 +70,8 @@ def pieces_of(normalized: str, count: int, names: Sequence[str] = ()) -> list[st
         if isinstance(found, ParseError) or sorted(map(str, places)) != sorted(map(str, range(count))):
             return found
         return [found[places.index(place)] for place in range(count)]
+    if count > 1 and (alone := _each_in_brackets(normalized)) is not None and len(alone) == count:
+        return _in_order([labelled(piece, names) for piece in alone], names)
     inside, unit, factor = _unwrapped(TRANSPOSED.sub("", normalized))
     along = [found for found in ALONG.finditer(inside) if _axis(found) < count]
     if along and (not names or are_axes(names)):  # in a plane k is no direction, but may be a letter
@@ -82,6 +85,13 @@ def pieces_of(normalized: str, count: int, names: Sequence[str] = ()) -> list[st
     return (
         found if isinstance(found, ParseError) or not factor else [f"{factor}*({piece})" for piece in found]
     )
+
+
+def _each_in_brackets(text: str) -> list[str] | None:
+    """The components of `(1.66 m/s) and (7.84 m/s)`."""
+    if GROUPS.fullmatch(text) is None:
+        return None
+    return re.findall(r"\(([^()]*)\)", text)
 
 
 def _slashed(inside: str) -> list[str] | ParseError | None:

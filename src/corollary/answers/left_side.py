@@ -21,7 +21,7 @@ from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import ONE, Dimension, Unit, unit
 
 MARKS = "̄⃗̂̇̃̅"  # bars, arrows, hats and dots above a letter
-INDEX = r"(?:_\{[^{}=]{1,16}\}|_\([^()=]{1,16}\)|\[[0-9A-Za-z]{1,2}\]|[^\W²³¹⁰⁴-⁹⁻]|[₀-₉ₐ-ₜ]|['*⁎])"
+INDEX = r"(?:_\{[^{}=]{1,16}\}|_\([^()=]{1,16}\)|\[[0-9A-Za-z]{1,2}\]|[^\W²³¹⁰⁴-⁹⁻]|[₀-₉ₐ-ₜ]|['⁎]|\*(?!\s*[\w(.]))"
 SYMBOL = (
     rf"(?:(?:delta|Delta|[Δ∆∑ΣδdD])\s*(?=[^\W\d_]))?[^\W\d_][{MARKS}]*{INDEX}{{0,15}}[{MARKS}]*(?:-[^\W\d_]{{3,12}})?"
     r"(?:,[^\W\d_]{1,3})?"

@@ -20,7 +20,8 @@ TALK = (
     "der die das den dem er sie es ist sind wird beträgt betragen um mit von antwort ergebnis lösung impuls impulsänderung kraftstoß änderung ändert "
     "sich geschwindigkeit kraft mittlere mittleren durchschnittliche energie höhe winkel betrag "
     "det blir ble er svaret svar på med bevegelsesmengden bevegelsesmengde endringen endring endres impulsen farten fart hastigheten kraften "
-    "gjennomsnittlig gjennomsnittskraften energien høyden vinkelen"
+    "gjennomsnittlig gjennomsnittskraften energien høyden vinkelen "
+    "la le les est vaut sont impulsion vitesse énergie hauteur quantité mouvement moyenne"
 )
 WORDS = "|".join(map(re.escape, sorted(f"{ABOUT} {TALK}".split(), key=len, reverse=True)))
 LABEL = re.compile(r"[a-z][0-9]?\)\s+|\([a-z][0-9]?\)\s*(?=[-+≈=~]?\s*[0-9.,√])")
@@ -30,8 +31,15 @@ COUNTED = re.compile(
     r"|im (?:Mittel|Durchschnitt)|i (?:snitt|gjennomsnitt)|insgesamt|totalt)\s+(?=[-+]?[0-9.,])",
     re.IGNORECASE,
 )
+# `v² = 2gh, so v = 12 m/s`: what is concluded is the answer.
+CONCLUSION = re.compile(
+    r"[^?=]*=[^?]*[,;.]\s*(?:and\s+)?(?:so|thus|hence|therefore|giving|which gives|damit|daher|also|dermed|altså)\s+(?:that\s+)?(?=[^=]*=)",
+    re.IGNORECASE,
+)
 LEADING = (
     LABEL,
+    CONCLUSION,
+    re.compile(r"[ld]['’](?=[^\W\d_]{3})", re.IGNORECASE),
     COUNTED,
     re.compile(
         r"I (?:get|got|find|found|have) |(?:the )?same as (?:before|in \(?[a-z]\)?)[,:]\s*", re.IGNORECASE
@@ -47,7 +55,7 @@ REMARK = (
     r"|(?:to )?[0-9] ?(?:s\.? ?f\.?|sig\.? ?figs?\.?|significant figures|significant digits|figures)"
 )
 ENDING = re.compile(
-    rf"(?:[\s?;,✅✓✔☑\U0001f300-\U0001faff]|(?<=[^0-9)])!|(?<=[.,][0-9])!|(?<=[.,][0-9]{{2}})!)+$|(?<=[0-9])…$|\s#[^0-9]*[A-Za-z]{{4}}[^0-9]*$|(?<=[^0-9\s])\.$|(?<=[A-Za-z0-9²³)°%])[\s,;]+\(?(?:{REMARK})\)?$",
+    rf"(?:[\s?;,✅✓✔☑\U0001f300-\U0001faff]|(?<=[^0-9)])!|(?<=[.,][0-9])!|(?<=[.,][0-9]{{2}})!)+$|(?<=[0-9])…$|\s#[^0-9]*[A-Za-z]{{4}}[^0-9]*$|(?<=[^0-9\s])\.$|(?<=[A-Za-z0-9²³)°%])[\s,;]+[\[(]?(?:{REMARK})[\])]?$",
     re.IGNORECASE,
 )
 CALL = re.compile(r"<[^<>=]{1,12}>|\([^()]*\)")  # `<F>`, `F(y = 0.6 m)`

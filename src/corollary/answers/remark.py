@@ -58,7 +58,7 @@ def remark_in(text: str) -> WordsBehind | None:
 
 def _are_harmless(words: str) -> bool:
     """A capital alone is a body's name, and may be another one's."""
-    each = [word.strip(".()'’") for word in re.split(r"[\s,;:/]+", words)]
+    each = [re.sub(r"['’]s$", "", word.strip(".()'’")) for word in re.split(r"[\s,;:/]+", words)]
     return any(len(word) > 2 for word in each) and all(
         not word or (word.lower() in HARMLESS and word != "A") or re.fullmatch("[a-h]", word) for word in each
     )

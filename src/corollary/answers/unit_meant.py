@@ -15,6 +15,7 @@ from corollary.units.unit import Unit, called, read_unit, show
 _ = catalogue(__name__)
 
 PLURAL = re.compile(r"(?<![A-Za-z])([A-Za-zµ]{2,})s(?![A-Za-z])")
+KILO = re.compile(r"\s*[Kk]ilos?\s*")  # said for kilograms
 IN = re.compile(r"in\s+(?=\S)")
 # A temperature as it is typed in a hurry: `25 ⁰C` with a raised zero, `25 oC`, `25 C°`, `77 F`.
 DEGREE = re.compile(
@@ -29,6 +30,8 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
     """The unit; where it has several readings, as `ms^-1` or `Ns (newton seconds)`, the one that measures what is asked for."""
     if expected is not None and (of_temperature := _temperature(text, expected)) is not None:
         return of_temperature
+    if expected is not None and KILO.fullmatch(text) and expected.dimension == UNITS["kg"].dimension:
+        return UNITS["kg"]
     unit = read_unit(text)
     if expected is not None and (led := IN.match(text)) and not _fits(unit, expected):  # `83.6 in J`
         behind = read_unit(text[led.end() :])

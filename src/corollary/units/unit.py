@@ -212,13 +212,11 @@ def _splits(run: str) -> list[tuple[Unit, ...]]:
     found = [
         tuple(UNITS[piece] for piece in cut) for cut in known if "K" not in cut[:-1]
     ]  # Kgm: kg m, no kelvin
-    if found:
-        return found
     for first, *rest in cuts(run):  # `mPas`, `cNm`: with a prefix that no row lists
-        unit = prefixed(first)
-        if unit is not None and all(piece in UNITS and piece not in APART for piece in rest):
-            found.append((unit, *(UNITS[piece] for piece in rest)))
-    return found[:1]
+        unit = prefixed(first) if first not in UNITS and len(rest) == 1 else None
+        if unit is not None and rest[0] in UNITS and rest[0] not in APART:
+            found.append((unit, UNITS[rest[0]]))
+    return found
 
 
 def _power(text: str) -> Fraction | None:

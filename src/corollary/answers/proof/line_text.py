@@ -36,6 +36,7 @@ BETWEEN = re.compile(
     r"folgt|ergibt|gilt)(?:\s+that)?)\s+|,\s+",
     re.IGNORECASE,
 )
+QUESTION = re.compile(r"=\s*\?+\s*$")
 SPECIAL_CASE = re.compile(r"\s*(?:for|if|when|für|bei|wenn|falls)\b[^:]*=[^:]*:", re.IGNORECASE)
 BULLET = re.compile(r"\s*[-–]\s+")
 PRIMES = re.compile(r"(?<=[A-Za-z0-9_}])['’′]+(?![A-Za-z])")
@@ -58,7 +59,7 @@ LATIN = re.compile(rf"[{LETTER}]{{3}}")
 def says_nothing(line: str) -> bool:
     """Whether a line has words only, ends the derivation, says what is to be shown, or is about a special case."""
     bare = LEADING.sub("", EQUALS.sub("=", line), count=1)
-    if GOAL.match(line) or SPECIAL_CASE.match(line) or ENDS.fullmatch(line):
+    if QUESTION.search(line) or GOAL.match(line) or SPECIAL_CASE.match(line) or ENDS.fullmatch(line):
         return True
     return "=" not in bare and bool(re.search(r"[^\W\d]{3}", line)) and not re.search(r"[*^/+<>]", line)
 

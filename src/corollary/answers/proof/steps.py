@@ -19,7 +19,7 @@ from corollary.answers.proof.line_text import (
 )
 from corollary.formula.ast import Expr, Name, Relation, names
 from corollary.formula.errors import ParseError, sentence
-from corollary.formula.symbols import letters, read_run
+from corollary.formula.symbols import RUN, letters, read_run
 from corollary.formula.syntax import parse
 from corollary.messages import catalogue
 
@@ -83,6 +83,20 @@ def _readable(names_here: Sequence[str]) -> Readable:
 def _own_letters(typed: Sequence[tuple[int, str]], known: Sequence[str]) -> list[str]:
     """What stands alone on a side and is no letter of the problem, and what else looks like a letter: `J`, `dt`, `v_rel`."""
     found, readable = list[str](), _readable(known)
+    written = {
+        run for _number, equation in typed for side in sides(equation, readable) for run in RUN.findall(side)
+    }
+    for (
+        _number,
+        equation,
+    ) in typed:  # `va = vA - vB`: two spellings of one letter in one derivation are two letters
+        own = lone(sides(equation, readable)[0])
+        if (
+            own
+            and own not in known
+            and any(own != each and own.lower() == each.lower() for each in written & set(known))
+        ):
+            found.append(own)
     for _number, equation in typed:
         for side in sides(equation, readable):
             for letter in (lone(side), *lettered(side)):

@@ -1,0 +1,92 @@
+"""Quantities and formulas as people type them: sums, units in words and brackets, Euler's number, lost raising, TeX."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from corollary.answers.read_case import read_case
+
+
+def value(text: str, unit: str):
+    found = read_case({"text": text, "field": "quantity", "unit": unit})
+    return found["value"] if found["status"] == "ok" and found["verdict"] == "compatible" else found["status"]
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "si"),
+    [
+        ("3 N + 4 N", "N", 7), ("80 N+6 N", "N", 86), ("96 N-10 N", "N", 86), ("1-0.6", "1", 0.4), ("0.43*20 - 0", "1", 8.6), ("9.4 m-2 cm", "m", 9.38),
+        ("5*4+3*2", "1", 26), ("1 h 30 min", "s", 5400), ("1h30min", "s", 5400), ("1 m 20 cm", "m", 1.2), ("5 ft 3 in", "m", 1.6002), ("2 kg 300 g", "kg", 2.3),
+        ("25 W m-2 K-1", "W/(m^2 K)", 25), ("5! N", "N", 120), ("0.8/2!", "1", 0.4), ("(2*3)*2!", "1", 12),
+        # units
+        ("60 mins", "s", 3600), ("5 kohms", "ohm", 5000), ("5 cms", "m", 0.05), ("1 mPas", "Pa s", 1e-3), ("12 cNm", "N m", 0.12), ("5 (m/s)^2", "m^2/s^2", 5),
+        ("86 kg m (s^2)^-1", "N", 86), ("(-36 kJ)/mol", "J/mol", -36000), ("(3/2)*(m/s)", "m/s", 1.5), ("3 square meters", "m^2", 3), ("3 m squared", "m^2", 3),
+        ("3 gram per cubic centimeter", "kg/m^3", 3000), ("4 Quadratmeter", "m^2", 4), ("7 in", "m", 0.1778), ("0.6 c", "m/s", 179875474.8),
+        ("938 MeV/c^2", "kg", 1.67214e-27),
+        ("1 hp", "W", 745.69987), ("1 psi", "Pa", 6894.757), ("5 cycles/s", "Hz", 5), ("5 cycles/s", "rad/s", 10 * math.pi), ("83.6 in J", "J", 83.6),
+        ("445.5 kilo", "kg", 445.5),
+        ("25 ⁰C", "degC", 298.15), ("25 oC", "K", 298.15), ("77 F", "degC", 298.15), ("20°", "degC", 293.15),
+        # numbers
+        ("0.123 456 m", "m", 0.123456), ("1.5 E 3 N", "N", 1500), ("16.3 e1", "1", 163), ("2.179x10-3", "1", 2.179e-3), ("10^2.5", "1", 10**2.5), ("|-5| N", "N", 5),
+        ("1 ¾ m", "m", 1.75), ("⁻3.2 m/s", "m/s", -3.2), ("5*Pi/3", "1", 5 * math.pi / 3), ("log_10(100)", "1", 2), ("arccot(1)", "rad", math.pi / 4),
+        ("5*cos(90°) N", "N", 0),
+        # Euler's number
+        ("1/e", "1", math.exp(-1)), ("5*e^(-2) N", "N", 5 * math.exp(-2)), ("10*e^-1 V", "V", 10 * math.exp(-1)), ("5 e^(-1.5) m/s", "m/s", 5 * math.exp(-1.5)),
+        ("1/np.e", "1", math.exp(-1)), ("2 e", "C", 2 * 1.602176634e-19),
+        # TeX
+        (r"5\,\mathrm{\mu m}", "m", 5e-6), (r"5\,\mathrm{k\Omega}", "ohm", 5000), (r"9.8~\frac{m}{s^2}", "m/s^2", 9.8), (r"86\,\frac{\mathrm{kg\,m}}{\mathrm{s}^2}", "N", 86),
+    ],
+)  # fmt: skip
+def test_a_quantity_is_read(text, unit, si):
+    assert value(text, unit) == pytest.approx(si, rel=1e-5, abs=1e-20)
+
+
+@pytest.mark.parametrize(
+    ("text", "unit"),
+    [
+        ("3x108 m/s", "m/s"), ("5 x 104 N", "N"), ("0x10", "1"), ("11*", "1"), ("86!", "N"), ("8-9 N", "N"), ("8 + 0.6 kg", "kg"), ("20°", "K"), ("3 m + 4 s", "m"),
+        ("3 m+4 s", "m"), ("1 min 2 h", "s"), ("a,b", "1"),
+    ],
+)  # fmt: skip
+def test_what_has_two_readings_or_none_is_not_guessed(text, unit):
+    assert value(text, unit) in ("asked", "refused")
+
+
+@pytest.mark.parametrize(
+    ("text", "names", "same"),
+    [
+        (r"\{m+M\} v", "m M v", "(m + M)*v"), (r"\left\{v+w\right\}\frac{m}{2}", "m v w", "m*(v + w)/2"), ("v[0]^2/2", "v v0", "v0^2/2"), ("ħ*w", "hbar w", "hbar*w"),
+        ("∛x", "x", "x^(1/3)"), ("xⁿ", "x n", "x^n"), ("ln|x|", "x", "ln(abs(x))"), (r"\sqrt[3]{x}", "x", "x^(1/3)"), ("log_3(x)", "x", "ln(x)/ln(3)"),
+        ("R1||R2", "R1 R2", "R1*R2/(R1+R2)"),
+        ("Sin(x)", "x", "sin(x)"), ("2*Pi*x", "x", "2*pi*x"), (r"{x \over y}", "x y", "x/y"), (r"\sin \cos x", "x", "sin(cos(x))"),
+        ("arcsec(x)", "x", "acos(1/x)"), ("x^+5", "x", "x^5"),
+    ],
+)  # fmt: skip
+def test_a_formula_is_read(text, names, same):
+    found = read_case({"text": text, "field": "expression", "names": names.split(), "equals": same})
+    assert found["verdict"] == "equal", found
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("e^2x", "x"), ("10^2x", "x"), ("r^1/2", "r"), ("e^-x/2", "x"), ("2E+3*x", "E x"), ("2e-3", "e"), ("m[1]*v", "m v"), ("n!", "n"),
+        (r"\int (x+a)", "x a"), ("int(x+a)", "x a"),
+        ("a,b,c", "a b c"), ("(-b+-sqrt(b))/2", "b"), ("x ± y", "x y"),
+    ],
+)  # fmt: skip
+def test_a_formula_with_two_readings_is_asked_about(text, names):
+    found = read_case({"text": text, "field": "expression", "names": names.split()})
+    assert found["status"] in ("asked", "refused"), found
+
+
+def test_the_stages_of_a_reading_are_told():
+    found = read_case({"text": "the force F = 86 N", "field": "quantity", "unit": "N"}, explain=True)
+    assert [each["stage"] for each in found["stages"]][-3:] == [
+        "solve_left_side",
+        "parse_number",
+        "parse_unit",
+    ]
+    assert found["stages"][-1] == {"stage": "parse_unit", "took": "N", "left": ""}
