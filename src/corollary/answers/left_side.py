@@ -1,4 +1,4 @@
-"""Left sides of an answer: a name is passed over, a factor or one function is solved, anything else is asked about."""
+"""Left sides of an answer: names, multiples and functions of one letter, and formulas of the answer."""
 
 from __future__ import annotations
 
@@ -195,8 +195,8 @@ def _ratio(text: str) -> Fraction:
 
 def unknown_letter(name: str, question: Question | None) -> bool:
     """True if a letter is none of the givens, so that it can stand for the answer."""
-    plain = re.sub(r"[^A-Za-z0-9]", "", _keyboard(name))
-    return question is not None and plain not in {each.replace("_", "") for each in question.symbol_names}
+    typed = re.sub(r"[^A-Za-z0-9]", "", _keyboard(name))
+    return question is not None and typed not in {each.replace("_", "") for each in question.symbol_names}
 
 
 def is_another_given(side: str, wanted: Unit, question: Question | None) -> bool:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class Stage:
+class ReadingStage:
     """One stage: its name, the text it took, and what it left to the next."""
 
     stage: str
@@ -17,13 +17,13 @@ class Stage:
     left: str
 
 
-_stages: ContextVar[list[Stage] | None] = ContextVar("stages", default=None)
+_stages: ContextVar[list[ReadingStage] | None] = ContextVar("stages", default=None)
 
 
 @contextmanager
-def recorded() -> Generator[list[Stage]]:
+def recorded() -> Generator[list[ReadingStage]]:
     """Record the stages of the readings within."""
-    stages: list[Stage] = []
+    stages: list[ReadingStage] = []
     token = _stages.set(stages)
     try:
         yield stages
@@ -44,4 +44,4 @@ def silent() -> Generator[None]:
 def took(stage: str, text: str, left: str) -> None:
     """Note what a stage took, where somebody records."""
     if (stages := _stages.get()) is not None:
-        stages.append(Stage(stage, text.strip(), left.strip()))
+        stages.append(ReadingStage(stage, text.strip(), left.strip()))
