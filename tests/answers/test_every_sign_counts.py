@@ -100,7 +100,13 @@ SUM = st.tuples(NUMBER, UNIT, st.sampled_from([" + ", " - ", "+"]), NUMBER, UNIT
 QUANTITY = st.one_of(
     st.tuples(st.sampled_from(["", "-"]), NUMBER, st.just(" "), UNIT).map("".join),
     SUM,
-    st.tuples(NUMBER, st.sampled_from(["*", "/"]), NUMBER, st.just(" "), UNIT).map("".join),
+    st.tuples(
+        NUMBER,
+        st.sampled_from(["*", "/"]),
+        NUMBER.filter(lambda number: number.strip("1")),
+        st.just(" "),
+        UNIT,
+    ).map("".join),
     st.tuples(
         st.sampled_from(["F", "2F", "-F", "F/2", "F*dt", "x + 2", "cos(F)"]),
         st.just(" = "),

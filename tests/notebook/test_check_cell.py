@@ -224,7 +224,7 @@ def test_it_is_a_few_lines_and_holds_no_more_than_what_reads(ada: Worksheet):
     lines = source.splitlines()
     assert len(lines) < 30
     assert max(map(len, lines)) < 10_000  # an editor breaks longer ones
-    assert len(source) < 120_000
+    assert len(source) < 150_000
 
 
 def test_its_code_can_be_printed(ada: Worksheet):

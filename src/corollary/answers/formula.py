@@ -9,6 +9,7 @@ from collections.abc import Collection, Sequence
 from corollary.answers.answer import Formulas, Unclear
 from corollary.answers.left_side import (
     as_formula,
+    gives_what_is_asked,
     is_another_given,
     is_name,
     named,
@@ -99,6 +100,12 @@ def _trouble_with(
         return None
     for side in sides:
         same = parse(side, letters)
+        if (
+            isinstance(same, ParseError)
+            and question is not None
+            and gives_what_is_asked(side, question.unit.dimension, question)
+        ):
+            continue  # `p_1 - p_0 = m*v` where a change is asked for
         if isinstance(same, ParseError) or not _same(same, tree):
             why = _("{side} stands on the left, not the answer alone", side=side)
             return ParseError("asked", why, None, _("write the formula alone"))

@@ -166,8 +166,10 @@ def _beside_sides(
     if len(sides) == 1 and is_name(sides[0]) and is_another_given(sides[0], wanted, question):
         why = _("{letter} is given, and is no {wanted}", letter=sides[0].strip(), wanted=show(wanted) or "1")
         return ParseError("asked", why, None, _("write the answer without it"))
+    if named(sides) or not unread:
+        return ()
     stand_for_it = [gives_what_is_asked(side, wanted.dimension, question) for side in unread]
-    if named(sides) or not unread or any(stand_for_it):
+    if any(stand_for_it):
         return tuple(each for each in stand_for_it if not isinstance(each, bool))
     return _asked_about(unread[0], last, wanted, question)
 
