@@ -97,16 +97,11 @@ NUMBER = st.one_of(
 )
 UNIT = st.sampled_from(["N", "kN", "kg m/s^2", "N*m/m", "J/m", "mN", "kg*m*s^-2"])
 SUM = st.tuples(NUMBER, UNIT, st.sampled_from([" + ", " - ", "+"]), NUMBER, UNIT).map("".join)
+FACTOR = st.integers(2, 9999).filter(lambda number: number % 10 and set(str(number)) != {"1"}).map(str)
 QUANTITY = st.one_of(
     st.tuples(st.sampled_from(["", "-"]), NUMBER, st.just(" "), UNIT).map("".join),
     SUM,
-    st.tuples(
-        NUMBER,
-        st.sampled_from(["*", "/"]),
-        NUMBER.filter(lambda number: number.strip("1")),
-        st.just(" "),
-        UNIT,
-    ).map("".join),
+    st.tuples(FACTOR, st.sampled_from(["*", "/"]), FACTOR, st.just(" "), UNIT).map("".join),
     st.tuples(
         st.sampled_from(["F", "2F", "-F", "F/2", "F*dt", "x + 2", "cos(F)"]),
         st.just(" = "),
