@@ -96,8 +96,8 @@ NUMBER = st.one_of(
     ),
 )
 UNIT = st.sampled_from(["N", "kN", "kg m/s^2", "N*m/m", "J/m", "mN", "kg*m*s^-2"])
-SUM = st.tuples(NUMBER, UNIT, st.sampled_from([" + ", " - ", "+"]), NUMBER, UNIT).map("".join)
 FACTOR = st.integers(2, 9999).filter(lambda number: number % 10 and set(str(number)) != {"1"}).map(str)
+SUM = st.tuples(FACTOR, UNIT, st.sampled_from([" + ", " - ", "+"]), FACTOR, UNIT).map("".join)
 QUANTITY = st.one_of(
     st.tuples(st.sampled_from(["", "-"]), NUMBER, st.just(" "), UNIT).map("".join),
     SUM,
