@@ -57,11 +57,11 @@ def _variants(problem: Problem, letters: Sequence[str]) -> Iterator[Variant]:
     for places in product(*(range(given.grid.count) for given in moved)):
         values = {given.symbol: given.grid[place] for given, place in zip(moved, places, strict=True)}
         variant = Variant(problem, {**own.values, **values}, None)
-        if all(_kept(each, variant) for each in conditions):
+        if all(_fulfilled(each, variant) for each in conditions):
             yield variant
 
 
-def _kept(condition: Relation, variant: Variant) -> bool:
+def _fulfilled(condition: Relation, variant: Variant) -> bool:
     try:
         return holds(condition, variant.exact) is True
     except Undefined:

@@ -57,11 +57,11 @@ def lemmas(solution: Solution) -> Iterator[tuple[Unknown, list[Lemma]]]:
             why = str(error) or "its polynomials are too large"
             yield find, [Lemma(*claim, why=why) for claim in claims]
             continue
-        shown = f"{stem}_example", f"the printed numbers fulfil what is taken for granted of {found}"
+        example = f"{stem}_example", f"the printed numbers fulfil what is taken for granted of {found}"
         try:
-            yield find, [*proofs, Lemma(*shown, step.example(shown[0], numbers))]
+            yield find, [*proofs, Lemma(*example, step.example(example[0], numbers))]
         except (NotAlgebraic, Undefined, KeyError) as error:
-            yield find, [*proofs, Lemma(*shown, why=str(error) or "it has no value there")]
+            yield find, [*proofs, Lemma(*example, why=str(error) or "it has no value there")]
 
 
 def _dealt(solution: Solution) -> Iterator[Variant]:
@@ -204,8 +204,8 @@ class StepInCoq:
         """What is known of the squares of roots without quotients, of which nsatz makes nothing; `place` is the first one's."""
         lines = [f"  subst {coq_name(name)}.\n" for name in self._put_into_roots()]
         for at, known, gap in self._equations_of_roots():
-            shown = zero(f"R'{at}", gap, coq(known.left), coq(known.right))
-            lines.append(f"  {shown}\n")
+            difference = zero(f"R'{at}", gap, coq(known.left), coq(known.right))
+            lines.append(f"  {difference}\n")
             if not gap.bottom.is_constant():
                 lines.append(f"  clear K'{place + at}.\n")
         return "".join(lines)
@@ -264,8 +264,8 @@ class StepInCoq:
         for place, law in enumerate(self.laws):
             gap = self._fraction(law.left) - self._fraction(law.right)
             tops.append(gap.top)
-            shown = zero(f"P'{place}", gap, coq(law.left), coq(law.right))
-            lines.append(f"  {shown}")
+            difference = zero(f"P'{place}", gap, coq(law.left), coq(law.right))
+            lines.append(f"  {difference}")
         inverses = [
             f"assert (exists i, i * {name} = 1) as [i'{place} J'{place}] by (exists (/ {name}); apply Rinv_l; nonzero)"
             for place, name in enumerate(self._divisors(tops))
