@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-PROGRAMS = ("bash", "cat", "chmod", "cp", "env", "false", "git", "ls", "make", "mkdir", "mv", "rm", "sh", "sleep", "touch", "true", "uname")  # fmt: skip
+PROGRAMS = ("bash", "cat", "chmod", "cp", "env", "false", "git", "ls", "make", "mkdir", "mv", "rm", "sed", "sh", "sleep", "touch", "true", "uname")  # fmt: skip
 PYTHON = ("python3",)
 MARKED = ("whole", "browser", "client", "term")
 FOLDER = "COROLLARY_TEST_PROGRAMS"

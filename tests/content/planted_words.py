@@ -61,7 +61,7 @@ WORDS = (
         ("crate_on_a_lorry.md", "- (A) forward", "- (A) forward, with a = 1.5 m/s^2", TYPED),
         ("crate_on_a_lorry.md", '"m = {{m}}"', '"m = 80 kg"', TYPED),
         ("crate_on_a_lorry.md", '"a = {{a}}"', '"1.5 m/s²"', TYPED),
-        ("crate_on_a_lorry.md", "points=2}", 'points=2 hint="Turn 60 km/h into m/s first."}', TYPED),
+        ("crate_on_a_lorry.md", "points=2 ", 'points=2 hint="Turn 60 km/h into m/s first." ', TYPED),
         (
             "crate_on_a_lorry.md",
             "Later the lorry, at {{v}},",

@@ -10,7 +10,7 @@ import sys
 import pytest
 
 ALLOWED = {
-    "bash", "cat", "chmod", "cp", "env", "false", "git", "ls", "make", "mkdir", "mv", "python3", "rm", "sh", "sleep", "touch",
+    "bash", "cat", "chmod", "cp", "env", "false", "git", "ls", "make", "mkdir", "mv", "python3", "rm", "sed", "sh", "sleep", "touch",
     "true", "uname",
 }  # fmt: skip
 OTHERS = ("node", "npm", "chromium", "pdftotext", "gcc", "curl", "unzip", "php", "ruby", "coqc", "useradd")

@@ -89,7 +89,8 @@ def asked_units(text: str) -> Iterator[AskedUnit]:
 
 
 def wrong_units(problem: Problem, texts: Iterable[AuthorText]) -> Iterator[str]:
-    """A sentence with its place for each unit in the words that is not the unit of the part."""
+    """A sentence with its place for each unit in the words that is not the unit of the part; `(c)` is the part of that name."""
+    named = {f"({part.id})" for part in problem.parts}
     for each in texts:
         if each.part is not None and each.kind != "option":
             parts = [each.part] if asks_for_numbers(each.part) else []
@@ -98,6 +99,8 @@ def wrong_units(problem: Problem, texts: Iterable[AuthorText]) -> Iterator[str]:
         else:
             continue
         for asked in asked_units(each.without_tex) if parts else ():
+            if each.without_tex[asked.start :].startswith(f"({asked.text})") and f"({asked.text})" in named:
+                continue
             for part in parts:
                 if each.kind == "statement" and not asked.firmly:
                     continue
