@@ -317,7 +317,7 @@ def test_scene():
         (("show", "X12.5", "--format", "docx"), "docx"),
         (("show", "X12.5", "--variant", "999999999"), "999999999"),
         (("show", "X12.5", "--student", "a", "--variant", "1"), "one of them"),
-        (("show", "X12.5", "--course", "nowhere"), "--student"),
+        (("show", "X12.5", "--course", "nowhere"), "is no course"),
         (("key", "X12.5", "--set", "m=1", "--cases", "nowhere.json"), "one of them"),
         (("key", "X12.5", "--set", "=3"), "name=value"),
         (("key", ""), "empty name"),

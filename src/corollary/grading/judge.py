@@ -158,13 +158,11 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
                 found = values_of((tree,), expected.quantity.givens())
                 if found is not None and not math.isclose(found[0], value, rel_tol=0.05, abs_tol=1e-12):
                     why = _(
-                        "{formula} does not come to {answer}",
+                        "{formula} does not come to {answer}; write the answer alone",
                         formula=formula_text(tree),
                         answer=answer.as_read,
                     )
-                    return Unread(
-                        _("This could not be read: {why}", why=f"{why}; {_('write the answer alone')}.")
-                    )
+                    return Unread(_("This could not be read: {why}", why=f"{why}."))
             return judging(name).judge(answer, expected)
         case _:
             return judging(name).judge(answer, expected)

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from corollary.formula.characters import legible
 
 FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+EMPHASIS = re.compile(r"(?<![\w)*])\*{1,2}([^\W\d](?:[^*$\n]*[^\W_])?)\*{1,2}(?![\w(*])")  # of Markdown
 LAYOUT = re.compile(
     r"\\(?:mathrm|mathit|mathbf|text|textbf|vec|left|right|displaystyle|limits|quad|qquad|big|Big|[dt]?frac)\b"
     r"|\\[,;:! ]"
@@ -33,6 +34,7 @@ def normal_form(text: str) -> str:
     """What the options of a choice are compared by. Only the capital at the beginning of a word is no difference, and in a number
     with a unit not even that: 5 mW and 5 MW are two options."""
     text = unicodedata.normalize("NFC", text)
+    text = EMPHASIS.sub(r"\1", text)
     text = FRACTION.sub(r"\1/\2", text)
     text = COMMAND.sub(lambda found: MEANT_BY[found[0]], text)
     text = LAYOUT.sub(" ", legible(text))
