@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import cast
 
-from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
+from corollary.answers.answer import Answer, Blank, Formulas, Letter, Numbers, Unclear
 from corollary.answers.components import are_axes, labelled, place_named
 from corollary.answers.direction import axis_named, beside_axis, with_direction
 from corollary.answers.formula import as_typed
@@ -212,7 +212,11 @@ def _together(found: list[Read]) -> Read:
 def _combined(found: list[Read]) -> tuple[Numbers, ...]:
     """What the components could mean, every comma taken the same way; none when a component has no meaning at all."""
     choices = [
-        each.readings if isinstance(each, Unclear) else (each,) if isinstance(each, Numbers) else ()
+        tuple(one for one in each.readings if not isinstance(one, Letter))
+        if isinstance(each, Unclear)
+        else (each,)
+        if isinstance(each, Numbers)
+        else ()
         for each in found
     ]
     several = {len(each) for each in choices} - {1}

@@ -82,7 +82,7 @@ def _of_problem(student: str, key: Key, marked: Marked, problem_set: ProblemSet)
 def _typed(key: Key, part: Part, answer: str) -> tuple[float, ...] | None:
     """The answer as it was read, in SI; None where it is no number, or of another dimension."""
     expected = expected_of(key, part)
-    answered = read(part, Text(answer), expected, key.variant.problem)
+    answered = read(part, Text(answer), expected, key.variant)
     if isinstance(answered, Numbers) and answered.misfit:
         return None
     values = values_in(answered, expected)

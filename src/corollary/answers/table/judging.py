@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import groupby
 
-from corollary.answers.answer import Answer, Blank, Entries, Formulas, Numbers, Unclear
+from corollary.answers.answer import Answer, Blank, Entries, Formulas, Letter, Numbers, Unclear
 from corollary.answers.expected import Expected, Quantity
 from corollary.answers.judge_formulas import judge_formulas
 from corollary.answers.judge_numbers import judge_numbers
@@ -59,7 +59,7 @@ def _of_entry(answer: Numbers | Formulas | Blank | Unclear, wanted: Quantity, qu
         case Blank():
             return Unread(_("It is empty."), blank=True)
         case Unclear(why, readings=readings, benefit=benefit):
-            found = [_of_entry(each, wanted, question) for each in readings]
+            found = [_of_entry(each, wanted, question) for each in readings if not isinstance(each, Letter)]
             if not any(isinstance(each, Right) for each in found):
                 return Unread(f"{why[0].upper()}{why[1:].rstrip('.')}.")
             if benefit:
