@@ -15,7 +15,9 @@ NO_ANSWER = re.compile(r"\bNone\b|\W|_")  # what may stand in a cell without bei
 
 def text_found(source: str, blank: str, name: str) -> str:
     """What a student wrote into an answer cell that was handed out as `blank`: without the lines of the blank, imports, and an
-    assignment of nothing to `name`; empty where nothing is left."""
+    assignment of nothing to `name`; empty where nothing is left, and where the cell computes the value of `name`."""
+    if _computes(source, name) and not unquoted(name, source):
+        return ""
     handed_out = {line.strip() for line in blank.splitlines()}
     remarks = [found[0].strip() for line in handed_out if (found := REMARK.search(line))]
     left: list[str] = []
@@ -73,6 +75,30 @@ def _is_python(text: str) -> bool:
 def _parsed(text: str) -> ast.AST:
     """The tree of an expression; an empty one for the first line of a longer one."""
     return ast.parse(text, mode="eval") if _is_python(text) else ast.Module([], [])
+
+
+def _computes(source: str, name: str) -> bool:
+    """True if a cell gives `name` something else than a plain None, whatever comes of it."""
+    try:
+        tree = ast.parse(source)
+    except (SyntaxError, ValueError):
+        return False
+    for node in ast.walk(tree):
+        match node:
+            case ast.Assign(targets=targets, value=value):
+                names = {
+                    each.id for target in targets for each in ast.walk(target) if isinstance(each, ast.Name)
+                }
+            case (
+                ast.AnnAssign(target=ast.Name(id=own), value=value)
+                | ast.NamedExpr(target=ast.Name(id=own), value=value)
+            ):
+                names = {own}
+            case _:
+                continue
+        if name in names and not (value is None or (isinstance(value, ast.Constant) and value.value is None)):
+            return True
+    return False
 
 
 def _names(tree: ast.Module) -> set[str] | None:
