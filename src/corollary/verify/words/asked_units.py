@@ -22,7 +22,7 @@ IN_UNIT = re.compile(
     rf"(?:(?<=[\s(\[])|^)(?P<word>in|i|as|unit:?|units? of|einheit:?|enhet:?)(?= |{INLINE})(?! the\b)",
     re.IGNORECASE,
 )
-BRACKETED = re.compile(r"[\[(](?=[A-Za-zµΩ°%])")
+BRACKETED = re.compile(r"[\[(](?=[A-Za-zµΩ°%])(?!(?:in|i|as) )")  # in a unit, not inches times a unit
 HOW_MANY = re.compile(r"\b(?:how many|wie viele|wieviele|hvor mange)(?= )", re.IGNORECASE)
 BLANK_ANSWER = re.compile(r"(?:_{2,}|…|\.\.\.|=\s*\\?\?)\s*\$?(?= ?)")
 PERMITTED = re.compile(
