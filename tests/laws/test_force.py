@@ -20,7 +20,7 @@ def right(law: Law) -> list[sympy.Expr]:
 
 @given(st.floats(-9, 9), st.floats(-9, 9))
 def test_a_distance_is_that_of_the_complex_number(a, b):
-    ((_, length),) = sides(distance(sympy.Symbol("r"), (a, b)))
+    ((_, length),) = sides(distance(sympy.Symbol("r"), (sympy.Rational(a), sympy.Rational(b))))
     assert float(length) == pytest.approx(abs(complex(a, b)), abs=1e-12)
 
 

@@ -38,5 +38,6 @@ def test_the_net_force_on_what_stands_still_is_nothing():
 
 @given(st.floats(-1.5, 1.5), st.floats(0.1, 10))
 def test_a_direction_is_the_angle_it_was_made_of(angle, length):
+    angle, length = sympy.Rational(angle), sympy.Rational(length)
     ((left, right),) = sides(direction(angle, (length * sympy.cos(angle), length * sympy.sin(angle))))
-    assert abs(left - right) < 1e-9
+    assert abs(float(left) - float(right)) < 1e-9

@@ -20,7 +20,9 @@ from corollary.laws.law import sides
 
 @given(st.floats(0.05, 0.95), st.floats(100, 5000))
 def test_the_rocket_equation_is_the_sum_of_small_puffs(share, speed):
-    ((_, found),) = sides(burnt(v_0=0, v_1=sympy.Symbol("v"), v_rel=speed, m_0=1, m_1=share))
+    ((_, found),) = sides(
+        burnt(v_0=0, v_1=sympy.Symbol("v"), v_rel=sympy.Rational(speed), m_0=1, m_1=sympy.Rational(share))
+    )
     puffs = 2000
     step = (1 - share) / puffs
     summed = math.fsum(speed * step / (1 - (i + 0.5) * step) for i in range(puffs))
