@@ -228,7 +228,7 @@ def answers(key: Key, part: Part) -> list[tuple[str, Value]]:
 def one_verdict(key: Key, part: Part, answer: Value) -> object:
     """Reading and judging, without the other parts."""
     expected = expected_of(key, part)
-    return verdict_on(part.answer_type, read(part, answer, expected, key.variant.problem), expected)
+    return verdict_on(part.answer_type, read(part, answer, expected, key.variant), expected)
 
 
 def _median(run: Callable[[], object]) -> float:

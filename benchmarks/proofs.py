@@ -109,7 +109,7 @@ class Judge:
     def written(self, code: str, part: str, way: str, lines: Sequence[str]) -> Written:
         asked = self.key(code).variant.problem.part(part)
         expected = expected_of(self.key(code), asked)
-        answer = read(asked, from_json(list(lines)), expected, self.key(code).variant.problem)
+        answer = read(asked, from_json(list(lines)), expected, self.key(code).variant)
         assert isinstance(answer, Chain), (code, way, answer)
         assert expected.claim is not None
         grounds = grounds_of(expected.claim, expected.claim.points(), expected.question)
