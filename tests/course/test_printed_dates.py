@@ -11,7 +11,6 @@ from click.testing import CliRunner
 
 from corollary.cli.commands import app
 from corollary.course.export import sheets_of_course
-from corollary.records.deadlines import read_deadlines
 from corollary.records.files import open_course
 from corollary.records.origin import set_of
 from corollary.records.report_model import report_of
@@ -130,33 +129,4 @@ def test_a_sheet_that_is_lost_is_written_with_its_own_date(ball: ChangingBank) -
     printed = sheets_of_course(course, set_of(course, "week")[1])
     assert {each.problem_set.due.isoformat() for each in printed if each.problem_set.due} == {
         "2099-12-04T23:59:59.999999+00:00"
-    }
-
-
-@pytest.mark.parametrize(
-    ("due", "moment"),
-    [("2099-12-04", "2099-12-04T23:59:59.999999+00:00"), ("2099-12-04 18:00", "2099-12-04T18:00:00+00:00")],
-)
-def test_in_a_course_of_an_earlier_version_the_notebook_says_the_date(
-    tmp_path: Path, due: str, moment: str
-) -> None:
-    ball = ChangingBank(tmp_path)
-    ball.write(Text())
-    date(ball, due)
-    generate(ball)
-    record = ball.course / ".corollary/assigned/week.json"
-    old = json.loads(record.read_text())
-    assert old.pop("dates").keys() == {"ada", "ben"}
-    record.write_text(json.dumps(old))
-    sheet(ball, "ben").unlink()  # nothing says what it printed
-    date(ball, "2099-11-20")
-    course = open_course(ball.course)
-    found = read_deadlines(course, set_of(course, "week")[1])
-    assert (found.of("ada").isoformat(), found.by_sheet) == (moment, ("ada",))
-    assert found.of("ben") == found.due
-    generate(ball)
-    dates = json.loads(record.read_text())["dates"]
-    assert {student: each["moment"][:10] for student, each in dates.items()} == {
-        "ada": "2099-12-04",
-        "ben": "2099-11-20",
     }

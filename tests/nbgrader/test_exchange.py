@@ -159,7 +159,6 @@ def test_feedback_comes_back_to_who_handed_in_through_it_and_the_others_are_name
 
 def test_released_again_for_newcomers_and_never_the_chapters_numbers(hub: Hub) -> None:
     hub.outbound.mkdir(parents=True)
-    shutil.copy(hub.course / "release" / "one" / "one.ipynb", hub.outbound)  # as a version before released it
     assert (
         "is released already; --force releases it again" in hub.run(None, "release_assignment", "one").stderr
     )
@@ -258,7 +257,7 @@ def test_all_the_way_with_an_instructor_who_is_not_root(hub: Hub, umask: int) ->
 
 
 def test_whatever_rights_a_student_gives_the_own_files(hub: Hub) -> None:
-    """A sheet fetched by an earlier version has the list by which it was opened for its student; Ben allows himself to read."""
+    """Ada has given her sheet an access list; Ben allows himself to read."""
     for path in (hub.course, *hub.course.rglob("*")):
         shutil.chown(path, TEACHER.pw_uid, TEACHER.pw_gid)
     assert hub.run(TEACHER, "release_assignment", "one").returncode == 0

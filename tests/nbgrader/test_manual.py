@@ -211,26 +211,6 @@ def test_nbgraders_autograde_shows_only_another_answer_again(given: Course) -> N
     assert in_gradebook(given, "ben") == (1.0, None, True)
 
 
-def test_a_course_of_an_earlier_version_is_carried_over(marked_course: Course) -> None:
-    """Its pages had another name and could not be made again, and its records knew nothing of answers."""
-    shutil.rmtree(marked_course.folder / ".corollary/pages")
-    give(marked_course, "ada", 2.0, "Well argued.")
-    for student in STUDENTS:
-        place = course_page = marked_course.place("feedback", student.id, "words")
-        (place / "words.html").rename(place / "words.feedback.html")
-        shutil.copy(place / "words.feedback.html", marked_course.place("autograded", student.id, "words"))
-        assert course_page.exists()
-    done = run(marked_course, "nbgrader", "generate_feedback", "words")
-    assert done.status == 1
-    assert "run corollary grade words once" in done.errors
-    done = grade(marked_course)
-    assert done.status == 0, done.errors
-    assert (done.document["graded"], done.document["changed"]) == (3, [])
-    assert "Well argued." in page(marked_course, "ada")
-    assert run(marked_course, "nbgrader", "generate_feedback", "words").status == 0
-    assert "Well argued." in page(marked_course, "ada")
-
-
 def test_a_set_whose_place_is_lost_is_a_sentence_in_nbgrader_too(marked_course: Course) -> None:
     (marked_course.folder / ".corollary/origin/words.json").unlink()
     done = run(marked_course, "nbgrader", "autograde", "words")

@@ -126,20 +126,6 @@ def test_extra_credit_is_as_it_was_given(marked_course: Course, bank: Path) -> N
     assert part_of(marked_course, "ada")["points"] == 4.5
 
 
-def test_marks_of_earlier_versions_are_out_of_what_the_history_says(
-    marked_course: Course, bank: Path
-) -> None:
-    journal = marked_course.folder / ".corollary/manual/marks.jsonl"
-    lines = [json.loads(line) for line in journal.read_text().splitlines()]
-    for line in lines:
-        line["mark"].pop("out_of")
-    journal.write_text("".join(json.dumps(line) + "\n" for line in lines))
-    now_out_of(bank, 4)
-    done = grade(marked_course, "--yes")
-    assert done.document["students"]["ben"]["parts"][PART]["points"] == 3.0
-    assert waiting(marked_course)["ben"] == "given 1.5 of 2, now out of 4"
-
-
 def test_extra_credit_on_a_new_answer_is_shown_again(marked_course: Course) -> None:
     with Gradebook(f"sqlite:///{marked_course.gradebook}", "course") as book:
         book.find_grade("X12_11_a", "words", "words", "ada").extra_credit = 0.5

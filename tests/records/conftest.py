@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,7 +13,6 @@ from corollary.grading.solutions import Solutions
 from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import Student
-from corollary.records.files import Course
 
 SET = "---\ntitle: Kicks\nproblems:\n  - X12.5\n---\nKick it.\n"
 
@@ -63,17 +61,3 @@ def kicks(tmp_path: Path) -> Kicks:
     (bank / "problems" / "sets").mkdir()
     (bank / "problems" / "sets" / "kicks.md").write_text(SET)
     return Kicks(Bank(bank), tmp_path / "course")
-
-
-@pytest.fixture
-def as_before() -> Callable[[Course, dict[str, dict[str, int]]], None]:
-    """Makes the record of what was assigned what an earlier version wrote: places in the grid."""
-
-    def write(course: Course, indices: dict[str, dict[str, int]]) -> None:
-        import json
-
-        shutil.rmtree(course.folder / ".corollary" / "assigned", ignore_errors=True)
-        (course.folder / ".corollary" / "dealt").mkdir(exist_ok=True)
-        (course.folder / ".corollary" / "dealt" / "kicks.json").write_text(json.dumps(indices))
-
-    return write

@@ -1,4 +1,4 @@
-"""The marks of a course: recorded whole, settled after a cut, and read from the files of older versions."""
+"""The marks of a course: recorded whole, and settled after a cut."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import json
 import runpy
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -16,63 +15,8 @@ from corollary.problem.roster import Student
 from corollary.records.files import Course, create_course
 from corollary.records.marks import NewMarks, history, read_record, read_records, settle, write_marks
 from corollary.records.record import record_of
-from corollary.records.report_model import report_of
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
-PART = {
-    "verdict": "mistaken",
-    "points": 0.5,
-    "out_of": 2,
-    "answer": "22 N",
-    "feedback": "They add.",
-    "mistake": "Add.",
-}
-OF_VERSION_0_1: dict[str, Any] = {
-    "points": 0.5,
-    "out_of": 2.0,
-    "parts": {
-        "X12_5_a": PART,
-        "X12_5_e": {
-            "verdict": "unmarked",
-            "points": 0,
-            "out_of": 2,
-            "answer": "",
-            "feedback": "Waits.",
-            "rubric": [],
-        },
-    },
-    "variants": {"X12.5": 158927, "P12.14": None},
-    "isolation": "namespaces",
-    "trouble": "",
-    "late": 0.0,
-    "late_share": 1.0,
-    "notes": ["The cell setup is edited."],
-    "fingerprint": "0f19cc",
-    "handed_in": {
-        "student": "ada",
-        "name": "Ada",
-        "points": 0.5,
-        "out_of": 2.0,
-        "late": 0.0,
-        "late_share": 1.0,
-        "trouble": "",
-        "isolation": "namespaces",
-        "notes": ["The cell setup is edited."],
-    },
-    "rows": [
-        {
-            "student": "ada",
-            "problem": "X12.5",
-            "part": "a",
-            "verdict": "mistaken",
-            "points": 0.5,
-            "out_of": 2.0,
-            "said": "Add.",
-            "why": "",
-        }
-    ],
-    "version": "0.1.0",
-}  # as json.dumps wrote it
 
 
 @pytest.fixture
@@ -98,40 +42,6 @@ def place(course: Course, of: ProblemSet) -> Path:
     return course.folder / ".corollary/graded" / of.name / "ada.json"
 
 
-def test_a_record_of_an_older_version_is_read_and_reported(course: Course, of: ProblemSet) -> None:
-    place(course, of).parent.mkdir(parents=True)
-    place(course, of).write_text(json.dumps(OF_VERSION_0_1, ensure_ascii=False))
-    (course.folder / ".corollary/sharing").mkdir()
-    shared = [{"student": "ada", "other": "bo", "parts": ["X12_5_a"], "chance": 0.01}]
-    (course.folder / f".corollary/sharing/{of.name}.json").write_text(json.dumps(shared))
-    record = read_record(course, of, "ada")
-    assert record is not None
-    assert (record.points, record.fingerprint, record.notes) == (
-        0.5,
-        "0f19cc",
-        ("The cell setup is edited.",),
-    )
-    assert (record.parts["X12_5_a"].mistake, record.parts["X12_5_e"].rubric) == ("Add.", ())
-    found = report_of(course, of)
-    assert [(met.text, met.students) for met in found.met] == [("Add.", ("ada",))]
-    assert [(one.other, one.parts, one.chance) for one in found.shared] == [("bo", ("X12_5_a",), 0.01)]
-    assert found.missing == ("bo",)
-
-
-def test_an_older_history_is_settled_and_goes_on(course: Course, of: ProblemSet, work: Marked) -> None:
-    path = course.folder / f".corollary/history/{of.name}.jsonl"
-    path.parent.mkdir()
-    path.write_text(
-        json.dumps({"student": "ada", "at": "2026-01-01T00:00:00+00:00", **OF_VERSION_0_1}) + "\n"
-    )
-    settle(course, of)
-    record = read_record(course, of, "ada")
-    assert record is not None
-    assert record.fingerprint == "0f19cc"
-    write(course, of, work, "second")
-    assert [each["fingerprint"] for each in history(course, of.name)] == ["0f19cc", "second"]
-
-
 def test_what_is_written_reads_back(course: Course, of: ProblemSet, work: Marked) -> None:
     write(course, of, work, "f")
     record = read_record(course, of, "ada")
@@ -141,7 +51,7 @@ def test_what_is_written_reads_back(course: Course, of: ProblemSet, work: Marked
     entry = json.loads(place(course, of).read_text())
     assert entry["parts"]["X12_5_c"]["mistake"] == "You forgot the $\\frac12$."
     assert "slip" not in entry["parts"]["X12_5_c"]
-    assert entry["rows"][2]["said"] == "You forgot the $\\frac12$."
+    assert entry["rows"][2]["error"] == "You forgot the $\\frac12$."
 
 
 @pytest.mark.parametrize("text", ["", "null", "[]", "{", '{"points": 1}', '{"points": "many"}'])

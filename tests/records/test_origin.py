@@ -136,7 +136,7 @@ def test_a_set_in_the_courses_folder_moves_with_it(course: Course, foreign: Bank
 def test_a_file_no_longer_known_is_said_and_generating_from_it_records_it(
     course: Course, foreign: Bank, tmp_path: Path, damage: str
 ) -> None:
-    """A version before wrote `"set": null` when a set was generated again by its name alone."""
+    """Null, a file that is gone, and a file cut short."""
     file = tmp_path / "extra.md"
     file.write_text(SET)
     write_origin(course, "extra", foreign, file)

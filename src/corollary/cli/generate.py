@@ -25,7 +25,6 @@ from corollary.records.assigned import open_record, sheets
 from corollary.records.corrections import Correction, corrections
 from corollary.records.files import open_course
 from corollary.records.origin import set_of
-from corollary.records.printed_dates import complete_dates
 from corollary.records.settings import read_settings, write_language
 
 
@@ -55,7 +54,6 @@ def run(
     if (course / ".corollary" / "key").exists():
         opened = open_course(course)
         record = open_record(opened, problem_set)
-        complete_dates(opened, problem_set, record)
         if not names_settled(opened, problem_set, record, yes, not_renamed):
             return FAILS
         before = sheets(opened, problem_set, record)

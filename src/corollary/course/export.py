@@ -14,7 +14,7 @@ from corollary.problem.roster import Student
 from corollary.problem.variant import Variant, chapter
 from corollary.records.assigned import open_record, sheets
 from corollary.records.files import Course, students
-from corollary.records.printed_dates import as_printed, complete_dates
+from corollary.records.printed_dates import as_printed
 from corollary.render.exports import Target
 
 NOBODY = Student("")
@@ -23,7 +23,6 @@ NOBODY = Student("")
 def sheets_of_course(course: Course, problem_set: ProblemSet) -> list[SheetPlan]:
     """The sheets as they were handed out; empty when the set was never generated. Raises NotACourse."""
     record = open_record(course, problem_set)
-    complete_dates(course, problem_set, record)
     assigned = sheets(course, problem_set, record)
     return [
         SheetPlan(as_printed(problem_set, record, student.id), student, tuple(assigned[student.id].variants))

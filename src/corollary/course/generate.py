@@ -26,7 +26,7 @@ from corollary.records.edition import values_now
 from corollary.records.files import Course, create_course, one_writer
 from corollary.records.numbers import Assigned, numbers_of
 from corollary.records.origin import write_origin
-from corollary.records.printed_dates import as_printed, complete_dates, printed_date
+from corollary.records.printed_dates import as_printed, printed_date
 from corollary.records.settings import write_settings
 
 if TYPE_CHECKING:
@@ -76,13 +76,11 @@ def generate(
     write_settings(course.folder)
     with one_writer(course):
         record = open_record(course, problem_set)
-        complete_dates(course, problem_set, record)
         new = tuple(student.id for student in roster if student.id not in record.students)
         for problem in problem_set.problems:  # in this order, by which the renewed name them
             record.place(problem, problem_set.weight(problem))
         for each in renewed:
             record.students[each.student] = each.row
-            record.carried.pop(each.student, None)
             # Gone before the record says otherwise: cut short here, the next run writes what the record says.
             course.notebook("release", each.student, problem_set.name).unlink(missing_ok=True)
         with makers(course, problem_set, solutions, len(new) + len(renewed), jobs) as by:

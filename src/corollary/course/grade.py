@@ -43,7 +43,6 @@ from corollary.records.marks import (
     read_records,
     report_place,
     settle,
-    with_out_of,
     write_page,
 )
 from corollary.records.record import Record
@@ -125,7 +124,7 @@ def grade_set(
     done = {one: record for one, record in records.items() if record.fingerprint == digests[one]}
     written = _written(course, problem_set, done, dry_run)
     todo = [student for student in digests if regrade or student not in written]
-    given = with_out_of(course, name, manual).by_student(name)
+    given = manual.by_student(name)
     context = GradingContext(problem_set, solutions, course.key, runner)
     proposed = ProposedMarks(
         course,

@@ -117,7 +117,7 @@ class ProposedMarks:
     def _standing(self, one: GradedSubmission) -> Record | None:
         """The marks already given; None as well where the student handed in something else."""
         old = read_record(self.course, self.problem_set, one.marked.student.id)
-        if old is None or (not self.dry_run and is_handed_in_anew(old, one.submission.depends, one.answers)):
+        if old is None or (not self.dry_run and is_handed_in_anew(old, one.submission.depends)):
             return None
         return old
 

@@ -36,7 +36,6 @@ from corollary.records.assigned import is_assigned
 from corollary.records.deadlines import read_deadlines
 from corollary.records.hand_in_time import GuessedTime, all_guessed, guessed_time, settle_time
 from corollary.records.manual import read_manual
-from corollary.records.marks import with_out_of
 from corollary.records.origin import set_of
 from corollary.records.submission import submissions
 from corollary.sandbox.file import Unreadable, bytes_of
@@ -116,7 +115,7 @@ class RecordMarks(SaveAutoGrades):
         ours, graded = judged
         course, problem_set = ours.course, ours.context.problem_set
         name = problem_set.name
-        given = with_out_of(course, name, read_manual(course)).by_student(name)
+        given = read_manual(course).by_student(name)
         with Gradebook(resources["nbgrader"]["db_url"]) as book:
             write_graded(course, problem_set, [graded], given, book, anew=True)
         return nb, resources

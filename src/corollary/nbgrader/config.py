@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 from corollary.atomic import write_whole
@@ -54,26 +53,6 @@ c.GenerateFeedback.force = True
 c.ExportApp.plugin_class = CurrentMarks
 """
 
-# The lines of files from earlier versions that are no longer so, and what stands there now.
-FORMER_FEEDBACK = """
-# Feedback is made anew each time, so that it never shows older marks than the gradebook.
-c.GenerateFeedback.force = True
-"""
-IMPORTS = """
-from corollary.nbgrader.export import CurrentMarks
-from corollary.nbgrader.feedback import FeedbackPage
-
-c = get_config()"""
-
-
-# What a course's file from an earlier version calls our classes; the file stays with the course, and they were renamed.
-RENAMED = {
-    "corollary.deliver.nbgrader_autograde": "corollary.nbgrader.autograde",
-    "MarksKept": "RecordMarks",
-    "LatenessKept": "LatenessInMarks",
-}
-CONFIG = re.compile(r"^c = get_config\(\).*\n", re.MULTILINE)
-
 
 class NotOurs(Exception):
     """A file stands in the way that somebody else wrote; one sentence says which, and what to do."""
@@ -99,27 +78,6 @@ def write_config(course: Course) -> None:
     path = course.folder / "nbgrader_config.py"
     if not path.exists():
         write_whole(path, TEXT.replace("__NAME__", repr(course.name)))
-    renew_config(course)
-
-
-def renew_config(course: Course) -> None:
-    """Lets a file from an older version find our classes where they are now, and those that were not there yet, before all
-    that its owner has set; all else in it is left as it is."""
-    path = course.folder / "nbgrader_config.py"
-    text = path.read_text(encoding="utf-8", errors="surrogateescape") if path.exists() else ""
-    renewed = text
-    for former, name in RENAMED.items():
-        renewed = renewed.replace(former, name)
-    if MARK in renewed and FORMER_FEEDBACK in renewed:
-        now = TEXT[TEXT.index("\n# `nbgrader generate_feedback` gives") :]
-        renewed = renewed.replace(FORMER_FEEDBACK, now).replace("\n\nc = get_config()", IMPORTS, 1)
-    if MARK in renewed and ROADS.split("\n")[1] not in renewed:
-        renewed = CONFIG.sub(lambda line: line[0] + ROADS, renewed, count=1)
-    for road in (FEEDBACK_ROAD, COLLECT_ROAD, LIST_ROAD):
-        if MARK in renewed and road.split(" = ")[0] not in renewed:
-            renewed = CONFIG.sub(lambda line, road=road: line[0] + road, renewed, count=1)
-    if renewed != text:
-        write_whole(path, renewed.encode("utf-8", "surrogateescape"))
 
 
 def check_config(folder: Path) -> None:

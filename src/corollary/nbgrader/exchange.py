@@ -68,9 +68,6 @@ class ReleaseOwnSheets(ExchangeReleaseAssignment):
             )
         destination.mkdir(mode=0o755, exist_ok=True)
         destination.chmod(0o755)
-        for each in destination.iterdir():
-            if not each.is_dir():  # the chapter's numbers, released by an older version
-                each.unlink()
         for student, place in sheets.items():
             self._give(place, destination / student, cast(int, accounts[student]))
 

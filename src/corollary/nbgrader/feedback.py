@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from nbconvert.exporters import HTMLExporter
@@ -16,7 +15,7 @@ from corollary.nbgrader.alone import alone, course_of
 from corollary.nbgrader.marks import page_now
 from corollary.records.files import Course
 from corollary.records.manual import read_manual
-from corollary.records.marks import former_pages, stored_record
+from corollary.records.marks import stored_record
 
 
 class FeedbackPage(HTMLExporter):
@@ -43,14 +42,9 @@ class FeedbackPage(HTMLExporter):
 def _page(course: Course, name: str, student: str) -> str:
     manual = read_manual(course).by_student(name).get(student, {})
     page = page_now(course, name, student, manual)
-    former = [path for path in former_pages(course, name, student) if path.exists()]
-    if page is None and former and not manual:
-        page = former[0].read_text(encoding="utf-8")
     if page is None:
         raise NbGraderException(
-            f"the marks of {student} in {name} are of an earlier version, which kept nothing to make a page of; "
+            f"what the page of {student} in {name} is made of is lost or damaged; "
             f"run corollary grade {name} once, then generate feedback"
         )
-    for path in former:
-        Path(path).unlink()
     return page

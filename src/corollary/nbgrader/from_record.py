@@ -65,7 +65,7 @@ def from_record(
     if record is None or facts is None or record.trouble or submission.retained:
         return None
     causes = changed(record, submission.depends)
-    if not needs_no_run(record, causes) or (only_changed and not causes):
+    if not needs_no_run(causes) or (only_changed and not causes):
         return None
     marked = _marked(record, submission)
     if marked is None or _as_recorded(record, marked) != record:

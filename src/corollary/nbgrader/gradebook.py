@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from corollary.extras import installing
-from corollary.nbgrader.config import broken, renew_config
+from corollary.nbgrader.config import broken
 from corollary.records.files import Course
 from corollary.records.manual import read_manual
 
@@ -64,7 +64,6 @@ def settings(course: Course) -> Config:
     """What the course's nbgrader_config.py sets. Raises NotRegistered when there is none, BrokenConfig when it cannot be run."""
     from traitlets.config.loader import ConfigFileNotFound, PyFileConfigLoader
 
-    renew_config(course)
     try:
         found = PyFileConfigLoader("nbgrader_config.py", path=str(course.folder)).load_config()
     except ConfigFileNotFound:

@@ -117,7 +117,7 @@ def stale_pages(
 
 
 def page_now(course: Course, set_name: str, student: str, manual: OfStudent) -> str | None:
-    """The feedback page with the marks as they stand; None where none can be made: the marks are an earlier version's."""
+    """The feedback page with the marks as they stand; None where what it is made of is lost."""
     record, facts = stored_record(course, set_name, student), stored_facts(course, set_name, student)
     if record is None or facts is None:
         return None

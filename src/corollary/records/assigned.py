@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 
 from msgspec import to_builtins
 
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
-from corollary.problem.variant import Variant, at
-from corollary.records.carried_over import carried_over, indices_of
+from corollary.problem.variant import Variant
 from corollary.records.edition import (
     Edition,
     Renamed,
@@ -31,7 +29,6 @@ from corollary.records.numbers import (
     words_of,
     write_numbers,
 )
-from corollary.records.origin import set_of
 from corollary.records.renames import NotSettled, Rename, proposed, settled
 
 
@@ -58,7 +55,7 @@ class AssignedSheet:
 
 def is_assigned(course: Course, set_name: str) -> bool:
     """Whether the set was ever generated for this course."""
-    return any(course.record(kind, f"{set_name}.json").exists() for kind in ("assigned", "dealt"))
+    return course.record("assigned", f"{set_name}.json").exists()
 
 
 def read_assigned(course: Course, problem_set: ProblemSet) -> dict[str, AssignedSheet]:
@@ -68,16 +65,8 @@ def read_assigned(course: Course, problem_set: ProblemSet) -> dict[str, Assigned
 
 
 def open_record(course: Course, problem_set: ProblemSet) -> Assigned:
-    """The record; the one of an earlier version is carried over, and its own file left as it is. Raises NotACourse."""
-    record = read_numbers(course, problem_set.name)
-    if record is None:
-        indices = indices_of(course, problem_set.name)
-        if indices is None:
-            return Assigned([], {})
-        record = carried_over(course, problem_set, indices)
-        with suppress(OSError):  # somebody who may only read this course reads it all the same
-            save_record(course, problem_set, record)
-    return record
+    """The record; an empty one where there is none. Raises NotACourse."""
+    return read_numbers(course, problem_set.name) or Assigned([], {})
 
 
 def save_record(course: Course, problem_set: ProblemSet, record: Assigned) -> None:
@@ -154,21 +143,7 @@ def variant_anywhere(course: Course, problem: Problem, student: str) -> Variant 
                 for rename in proposed(edition, [problem], (), words_of(course, edition)):
                     raise NotSettled(f"{rename.sentence}; corollary generate {name} asks whether it is")
                 found = _variant(as_handed_out(problem, edition, words_of(course, edition)), edition, numbers)
-    if found is None:
-        for path in sorted(course.record("dealt", "any").parent.glob("*.json")):  # sets not opened since
-            row = (indices_of(course, path.stem) or {}).get(student, {})
-            if problem.code in row and read_numbers(course, path.stem) is None:
-                found = _carried(course, path.stem, problem, student) or at(problem, row[problem.code])
     return found
-
-
-def _carried(course: Course, set_name: str, problem: Problem, student: str) -> Variant | None:
-    """From a set of an earlier version, which is carried over by this."""
-    with suppress(LookupError):
-        _, problem_set = set_of(course, set_name)
-        sheet = read_assigned(course, problem_set).get(student)
-        return sheet.variant(problem) if sheet is not None else None
-    return None
 
 
 def _problem(course: Course, problem_set: ProblemSet, edition: Edition) -> Problem | None:
@@ -193,13 +168,9 @@ def _variant(problem: Problem, edition: Edition, numbers: StudentNumbers) -> Var
 
 
 def _identity(record: Assigned, student: str, *, renamed: bool = True) -> str:
-    """For those whose numbers come from an earlier version what that one took for it: so their marks are not made again. What
-    is called otherwise since is left out when not `renamed`."""
+    """The numbers, parts and units of a sheet as text; names changed since only when `renamed`."""
     row = record.students[student]
     editions = [record.edition(numbers) for numbers in row.values()]
-    as_called = not renamed or all(edition.renamed == Renamed() for edition in editions)
-    if student in record.carried and as_called:
-        return json.dumps(record.carried[student], sort_keys=True)
     return json.dumps(
         [
             [

@@ -16,12 +16,8 @@ from corollary.records.regrading import Change
 from corollary.sandbox.file import bytes_of
 
 NOTEBOOK, TIME, DEADLINE = "the notebook", "when it was handed in", "the deadline"
-_WITHOUT_A_RUN = frozenset({TIME, DEADLINE, LATE_SHARE})
-_WITH_A_BASIS = frozenset({CREDIT, WEIGHTS})
-"""What a verdict earns can be told from a record that has what each share goes by; those of earlier versions do not."""
+_WITHOUT_A_RUN = frozenset({TIME, DEADLINE, LATE_SHARE, CREDIT, WEIGHTS})
 _POINTS_OF = "the points or the rubric of "
-BOTH = "what was handed in"
-"""In the records of earlier versions, one digest of the notebook and its time."""
 
 
 def dependencies(
@@ -47,19 +43,15 @@ def dependencies(
     return digests | {TIME: str(handed_in(course, set_name, student))}
 
 
-def needs_no_run(old: Record, names: Iterable[str]) -> bool:
+def needs_no_run(names: Iterable[str]) -> bool:
     """Whether marks can be given again without running the notebook a second time, these being `changed`."""
-    has_basis = any(name.startswith(JUDGED_BY) for name in old.depends)
-    known = _WITHOUT_A_RUN | _WITH_A_BASIS if has_basis else _WITHOUT_A_RUN
-    return all(name in known or name.startswith(_POINTS_OF) for name in names)
+    return all(name in _WITHOUT_A_RUN or name.startswith(_POINTS_OF) for name in names)
 
 
-def is_handed_in_anew(old: Record, depends: Mapping[str, str], answers: Mapping[str, str]) -> bool:
+def is_handed_in_anew(old: Record, depends: Mapping[str, str]) -> bool:
     """Whether the student handed in another notebook since the marks were given, which alone says so: its time may be a file's
-    that was lost or copied. The records of earlier versions do not tell the two apart, but have what was answered."""
-    if NOTEBOOK in old.depends:
-        return old.depends[NOTEBOOK] != depends.get(NOTEBOOK)
-    return bool(old.answers) and old.answers != answers
+    that was lost or copied."""
+    return old.depends.get(NOTEBOOK) != depends.get(NOTEBOOK)
 
 
 def is_extended(old: Record, depends: Mapping[str, str], change: Change, deadlines: Deadlines) -> bool:
@@ -71,13 +63,11 @@ def is_extended(old: Record, depends: Mapping[str, str], change: Change, deadlin
 
 def why(old: Record, depends: Mapping[str, str]) -> str:
     """A few words on why marks are others than before."""
-    if not old.depends:
-        return "they were given by an earlier version, which did not record what they depend on"
     names = changed(old, depends)
     if not names:
         return "nothing was changed; the notebook ran otherwise than before"
     about: dict[str, str] = {}
-    if TIME in names and TIME in old.depends:
+    if TIME in names:
         now, before = (each[TIME].replace("+00:00", " UTC") for each in (depends, old.depends))
         about[TIME] = f"{TIME} ({now}, and {before} when it was marked)"
     return f"changed: {', '.join(about.get(name, name) for name in names)}"
@@ -86,15 +76,11 @@ def why(old: Record, depends: Mapping[str, str]) -> str:
 def changed(old: Record, depends: Mapping[str, str]) -> list[str]:
     """The names of what marks depend on that are not as they were when these were given."""
     names = [name for name in {**old.depends, **depends} if old.depends.get(name) != depends.get(name)]
-    names = _exactly(names, old.depends)
-    if NOTEBOOK in old.depends:
-        return names
-    return [name for name in names if name not in {NOTEBOOK, TIME, BOTH}] or [f"{BOTH}, or its time"]
+    return _exactly(names, old.depends)
 
 
 def _exactly(names: list[str], before: Mapping[str, str]) -> list[str]:
-    """Where a problem's verdicts follow from the same as before, what changed of its files is called so. (What they follow from
-    is in these files, and not apart in the records of earlier versions.)"""
+    """Where a problem's verdicts follow from the same as before, only its points or rubric are named as changed."""
     found: dict[str, None] = {}
     for name in names:
         code = name.removeprefix("the problem ").removeprefix("the solution of ")

@@ -14,7 +14,7 @@ from corollary.atomic import write_each_whole, write_whole
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import BESIDE, Course
 from corollary.records.journal import append, entries, last_lines
-from corollary.records.manual import ManualMark, ManualMarks, Place, journal_place, read_manual
+from corollary.records.manual import ManualMarks, journal_place, read_manual
 from corollary.records.record import Record, with_manual
 
 
@@ -42,8 +42,6 @@ def write_marks(course: Course, problem_set: ProblemSet, several: Sequence[NewMa
     facts = {page_facts_place(course, name, one.student): one.facts for one in several}
     pages = {feedback_place(course, name, one.student): one.page for one in several}
     write_each_whole({**facts, **pages})
-    for one in several:
-        _remove_former_pages(course, name, one.student)
     about = {"at": datetime.now(UTC).isoformat(timespec="seconds"), "together": len(several)}
     lines = [{"student": one.student, **about, **msgspec.to_builtins(one.record)} for one in several]
     append(_history(course, name), lines)
@@ -101,30 +99,6 @@ def history(course: Course, set_name: str) -> Iterator[dict[str, Any]]:
     return entries(_history(course, set_name))
 
 
-def with_out_of(course: Course, set_name: str, manual: ManualMarks) -> ManualMarks:
-    """The marks that persons gave, those of earlier versions with what their score is out of: what the part earned by the
-    student's marks of that moment, where the history has it."""
-    missing = {
-        (place.student, place.part): mark
-        for place, mark in manual.by_place.items()
-        if place.set_name == set_name and mark.score is not None and not mark.out_of
-    }
-    if not missing:
-        return manual
-    known: dict[Place, ManualMark] = {}
-    for line in history(course, set_name):
-        parts: dict[str, dict[str, Any]] = line.get("parts") or {}
-        for part, marked in parts.items():
-            mark = missing.get((line.get("student", ""), part))
-            if mark is None or mark.score is None or (mark.at and str(line.get("at", "")) > mark.at):
-                continue
-            out_of = float(marked.get("out_of") or 0.0)
-            if mark.score <= out_of:
-                place = Place(set_name, line["student"], part)
-                known[place] = msgspec.structs.replace(mark, out_of=out_of)
-    return ManualMarks({**manual.by_place, **known}, manual.count)
-
-
 def settle(course: Course, problem_set: ProblemSet) -> None:
     """Completes what a run that was cut short left undone: its last lines are in the history, and their records not yet written.
 
@@ -174,28 +148,13 @@ def page_facts_place(course: Course, set_name: str, student: str) -> Path:
 
 
 def write_page(course: Course, set_name: str, student: str, page: str) -> None:
-    """The feedback page, and beside it what nbgrader's exchanges go by; pages that earlier versions wrote are gone then."""
+    """The feedback page, and beside it what nbgrader's exchanges go by."""
     place = feedback_place(course, set_name, student)
     write_whole(place, page)
     for name in sorted(BESIDE):
         marked = course.place("autograded", student, set_name) / name
         if marked.is_file() and not (place.parent / name).exists():
             write_whole(place.parent / name, marked.read_bytes())
-    _remove_former_pages(course, set_name, student)
-
-
-def _remove_former_pages(course: Course, set_name: str, student: str) -> None:
-    for former in former_pages(course, set_name, student):
-        former.unlink(missing_ok=True)
-
-
-def former_pages(course: Course, set_name: str, student: str) -> tuple[Path, Path]:
-    """Where earlier versions wrote the page: beside nbgrader's own, and beside the marked notebook."""
-    autograded, feedback = (
-        course.place(step, student, set_name) / f"{set_name}.feedback.html"
-        for step in ("autograded", "feedback")
-    )
-    return autograded, feedback
 
 
 def _write_record(course: Course, set_name: str, student: str, record: Record) -> None:

@@ -54,13 +54,10 @@ class PrintedDate(msgspec.Struct, frozen=True):
 
 
 class Assigned(msgspec.Struct):
-    """The whole file. `carried` has what an earlier version recorded for those who were given their numbers by it: the
-    places in the grids of that day. `dates` has what each sheet prints: None where it prints no date, nothing where that is
-    not known."""
+    """The whole file. `dates` has what each sheet prints: None where it prints no date, nothing where that is not known."""
 
     editions: list[Edition]
     students: dict[str, Row]
-    carried: dict[str, dict[str, int]] = {}
     dates: dict[str, PrintedDate | None] = {}
     format: int = FORMAT
 

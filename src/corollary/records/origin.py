@@ -91,8 +91,7 @@ def home_in_course(course: Course, code: str) -> tuple[Bank, Problem] | None:
 
 
 def _check_is_there(course: Course, set_name: str, bank: Bank, file: str | None) -> None:
-    """Raise UnknownCode where the set is no longer where the record says. An earlier version forgot the file of a set that
-    was generated again by its name alone."""
+    """Raise UnknownCode where the set is no longer where the record says."""
     if file is not None and not Path(file).is_file():
         raise UnknownCode(
             f"{file}, from which {set_name} was generated, is gone; {_generate_again(set_name)}"

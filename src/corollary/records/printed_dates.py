@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-import json
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from datetime import datetime
-from pathlib import Path
-from typing import Any
 
-from corollary.problem.dates import written, zone_named
+from corollary.problem.dates import written
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
 from corollary.records.numbers import Assigned, PrintedDate, read_numbers
-
-# As `written` writes a moment: `Friday 4 December 2026, 23:59 (UTC)`.
-MOMENT = re.compile(r"(\d{1,2} [A-Z][a-z]+ \d{4}, \d\d:\d\d) \(([^()\n]+)\)")
 
 
 def printed_date(due: datetime | None) -> PrintedDate | None:
@@ -27,23 +20,7 @@ def printed_date(due: datetime | None) -> PrintedDate | None:
 def printed_dates(course: Course, problem_set: ProblemSet) -> dict[str, datetime]:
     """What the sheets print, by student; nobody whose sheet prints none, or of whom it is not known. Raises NotACourse."""
     record = read_numbers(course, problem_set.name) or Assigned([], {})
-    complete_dates(course, problem_set, record)
     return {student: date.when for student, date in record.dates.items() if date is not None}
-
-
-def complete_dates(course: Course, problem_set: ProblemSet, record: Assigned) -> None:
-    """Earlier versions did not record the date: it is read off the notebooks that were handed out, where they are there."""
-    for student in record.students.keys() - record.dates.keys():
-        title = _title(course.notebook("release", student, problem_set.name))
-        if title is None:
-            continue
-        found = MOMENT.search(title)
-        if problem_set.due is not None and written(problem_set.due) in title:
-            record.dates[student] = printed_date(problem_set.due)
-        elif found is None:
-            record.dates[student] = None
-        elif (date := _read_off(*found.groups())) is not None:
-            record.dates[student] = date
 
 
 def as_printed(problem_set: ProblemSet, record: Assigned, student: str) -> ProblemSet:
@@ -88,24 +65,3 @@ def _is_other(due: datetime | None, record: Assigned, student: str) -> bool:
     if due is None or date is None:
         return (due is None) != (date is None)
     return date.when.timestamp() != due.timestamp()
-
-
-def _title(path: Path) -> str | None:
-    """The first cell of a notebook that was handed out; None when that is gone or damaged."""
-    try:
-        notebook: Any = json.loads(path.read_bytes())
-        return "".join(notebook["cells"][0]["source"])
-    except (OSError, ValueError, TypeError, LookupError):
-        return None
-
-
-def _read_off(text: str, zone: str) -> PrintedDate | None:
-    """Printed to the minute: 23:59 is the end of the day."""
-    try:
-        when = datetime.strptime(text, "%d %B %Y, %H:%M").replace(tzinfo=zone_named(zone))
-    except ValueError:
-        return None
-    if when.tzinfo is None:
-        return None
-    whole = when.replace(second=59, microsecond=999999) if (when.hour, when.minute) == (23, 59) else when
-    return PrintedDate(whole, zone)

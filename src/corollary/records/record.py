@@ -27,7 +27,7 @@ class Row(msgspec.Struct, frozen=True):
     verdict: str
     points: float
     out_of: float
-    error: str = msgspec.field(default="", name="said")  # in the files of courses by its older name
+    error: str = ""
     why: str = ""
     by_hand: bool = False
     rubric: tuple[str, ...] = ()
