@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import permutations
+from itertools import combinations, permutations
 
 import pytest
 import sympy
@@ -14,7 +14,7 @@ from corollary.formula.latex import latex
 from corollary.formula.numerals import decimal_text
 from corollary.formula.to_sympy import expression
 from corollary.grading.solutions import Solutions
-from corollary.practice.hints import hints, missing
+from corollary.practice.hints import Fork, hints, hints_by_known, remaining
 from corollary.problem.bank import chapter_bank
 from corollary.problem.variant import chapter
 
@@ -47,6 +47,18 @@ def test_the_first_hint_is_the_next_step():
     assert r"\Delta p = m\, v_{1} - m\, v_{0}" in told("X12.5", "a")[2]
 
 
+def test_hints_lead_as_far_as_the_step_that_decides():
+    """The mean force with nothing found yet: change of momentum, impulse, and then the force itself."""
+    found = told("X12.5", "c")
+    places = [
+        next(at for at, text in enumerate(found) if name in text)
+        for name in ("Change of momentum", "(b)", "last step")
+    ]
+    assert places == sorted(places)
+    assert "Mean force" in found[places[-1] + 1]
+    assert found[places[-1] + 1 :] == told("X12.5", "c", "a", "b")[1:]
+
+
 def test_an_authors_own_hint_comes_first():
     of = key("X12.5")
     part = replace(of.variant.problem.part("a"), hint="Draw the ball before and after.")
@@ -58,13 +70,50 @@ def test_a_way_that_the_author_did_not_take_counts_too():
     of = key("X12.8")
     asked = of.solution.answer("c2")
     assert asked is not None
-    assert len(missing(of.solution, asked, frozenset())) > 1
-    assert missing(of.solution, asked, frozenset({"a"})) == [asked]
+    assert len(remaining(of.solution, asked, frozenset()).steps) > 1
+    assert remaining(of.solution, asked, frozenset({"a"})).steps == (asked,)
+    assert told("X12.8", "c2", "a")[0] == "One step is left, and it starts from your answer in (a)."
+
+
+def test_what_no_law_says_is_told_by_what_counts_and_a_check():
+    """An impulse is the integral of the force, the answer itself; still there is more to say than that one step is left."""
+    found = told("S12.3", "a")
+    assert len(found) == 2
+    assert "What counts here: the largest force; the time of contact" in found[1]
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_hints_are_the_same_whichever_parts_are_known(code):
+    """The tree that goes out with a page of files and the hints that the program behind a page tells."""
+    of = key(code)
+    parts = [part.id for part in of.variant.problem.parts]
+    some = [
+        frozenset(each)
+        for count in (0, 1, 2, len(parts) - 1, len(parts))
+        for each in combinations(parts, count)
+    ]
+    for part in of.variant.problem.parts:
+        tree = hints_by_known(of, part)
+        for right in some:
+            found = tree
+            while isinstance(found, Fork):
+                found = found.known if found.part in right else found.unknown
+            assert found == hints(of, part, right - {part.id}), (part.id, right)
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_the_last_hint_says_more_than_that_a_step_is_left(code):
+    of = key(code)
+    for part in of.variant.problem.parts:
+        if of.solution.answer(part.id) is not None:
+            assert not hints(of, part, frozenset())[-1].startswith(("One step", "Now the last step"))
 
 
 def test_an_equation_that_is_the_answer_itself_is_not_shown():
     """The mass that hangs is its share of the chain, mu = m*y/L: the law's only equation is the answer."""
-    assert not any("$$" in each for each in told("X12.13", "a"))
+    before_the_next = told("X12.13", "a")[:3]
+    assert "Even chain" in before_the_next[1]
+    assert not any("$$" in each for each in before_the_next)
 
 
 @pytest.mark.parametrize("code", CODES)

@@ -65,7 +65,9 @@ def test_each_turn_has_numbers_hints_steps_and_its_motion(turns):
     one, other = turns
     assert one["judged"] == ["a", "b", "c", "d"]
     assert one["html"] != other["html"]
-    assert all(hints[0] for hints in one["hints"].values())
+    assert one["hints"]["a"][0].startswith("<p>One step leads from what is given")
+    assert one["hints"]["b"]["part"] == "a"
+    assert "from your answer in (a)" in one["hints"]["b"]["known"][0]
     assert len(one["steps"]) > 2
     assert 'class="reel"' in one["motion"]
 
@@ -161,12 +163,13 @@ def test_options_of_a_site_are_for_a_site(tmp_path):
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory) -> Path:
-    """Two exercises as files, with Python."""
+    """Three exercises as files, with Python."""
     place = tmp_path_factory.mktemp("site")
     command = [
         "export",
         "X12.2",
         "S12.5wall",
+        "S12.5el",
         str(place),
         "--to",
         "site",
@@ -226,6 +229,23 @@ def test_a_student_practises_without_a_network(chromium, site):
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     expect(page.locator(".motion li").first).to_be_visible()
     expect(page.locator("#other")).not_to_be_visible()
+    assert not wrong
+    context.close()
+
+
+@pytest.mark.browser
+@pytest.mark.client
+def test_hints_follow_what_is_known(chromium, site):
+    from tests.hints_in_browser import ask_for_hints
+
+    context = chromium.new_context(viewport={"width": 390, "height": 800}, offline=True)
+    page, wrong = context.new_page(), list[str]()
+    page.set_default_timeout(30_000)
+    page.on("pageerror", lambda error: wrong.append(str(error)))
+    page.on("console", lambda message: wrong.append(f"{message.type}: {message.text}"))
+    page.goto(site.as_uri())
+    page.locator('nav button[data-code="S12.5el"]').evaluate("each => each.click()")
+    ask_for_hints(page)
     assert not wrong
     context.close()
 

@@ -102,10 +102,9 @@ def _judge(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _hint(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
-    found = posed.hints(str(posted["part"]), frozenset(map(str, cast(list[object], posted["right"]))))
-    place = int(posted["place"])
-    return {"html": html(found[place]) if 0 <= place < len(found) else ""}
+def _hints(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
+    right = frozenset(map(str, cast(list[object], posted["right"])))
+    return {"hints": [html(each) for each in posed.hints(str(posted["part"]), right)]}
 
 
 def _step(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
@@ -127,6 +126,6 @@ ANSWERS: dict[str, Callable[[Posed, dict[str, Any]], dict[str, Any]]] = {
     "exercise": _exercise,
     "read": _read,
     "judge": _judge,
-    "hint": _hint,
+    "hints": _hints,
     "step": _step,
 }

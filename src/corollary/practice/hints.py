@@ -1,4 +1,4 @@
-"""Hints to a part: the next step on the shortest way from what a student has to what is asked, told in three turns.
+"""Hints to a part: the steps from what a student has to what is asked, each told in three turns.
 
 A hint names what to find, the laws, and the textbook's equation. It never has a value, and no equation that is the answer's own formula.
 """
@@ -8,7 +8,9 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence, Set
+from dataclasses import dataclass
 from itertools import permutations
+from typing import TypeAlias
 
 from corollary.answers.evaluation import as_exact
 from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
@@ -30,69 +32,133 @@ POINTS = ((1.25, 2.5, 0.375, 3.0, 0.8125), (0.75, 1.5, 2.375, 1.125, 4.5))  # wh
 DIGIT = re.compile(r"\d")
 
 
+@dataclass(frozen=True, slots=True)
+class Fork:
+    """Hints that depend on whether `part` is known already."""
+
+    part: str
+    known: Hints
+    unknown: Hints
+
+
+Hints: TypeAlias = Fork | tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Remaining:
+    """The steps that are still to be taken, in an order in which they can be; the last is the one asked for, and it starts from
+    the answers to the parts in `starts`."""
+
+    steps: tuple[Unknown, ...]
+    starts: tuple[str, ...]
+
+    def same_as(self, other: Remaining) -> bool:
+        return self.starts == other.starts and list(map(id, self.steps)) == list(map(id, other.steps))
+
+
 def hints(key: Key, part: Part, right: Set[str]) -> tuple[str, ...]:
     """What may be told, one after the other, to whom the parts in `right` are known; the author's own hint comes first. Empty
     where nothing can be told."""
-    return (*((part.hint,) if part.hint else ()), *_of_the_derivation(key, part, right))
+    asked = key.solution.answer(part.id)
+    return _hints(key, part, remaining(key.solution, asked, right) if asked is not None else None)
 
 
-def _of_the_derivation(key: Key, part: Part, right: Set[str]) -> tuple[str, ...]:
-    """What the derivation has to tell."""
-    solution = key.solution
-    asked = solution.answer(part.id)
-    if asked is not None:
-        steps = missing(solution, asked, right)
-        return tuple(_of_step(key, steps, asked, right))
-    laws = _laws_of(solution, part.id)
-    if laws:
-        return tuple(_of_laws(laws, ()))
-    thought = advice(key, part)
-    return (thought,) if thought else ()
+def hints_by_known(key: Key, part: Part) -> Hints:
+    """The hints for every choice of known parts, as a tree.
 
-
-def missing(solution: Solution, asked: Unknown, right: Set[str]) -> list[Unknown]:
-    """The steps that are still to be taken, in an order in which they can be; the last is the one asked for.
-
-    Of the author's way and those of `Solution.paths`, which lead from earlier answers straight to a later one, the shorter.
+    A part that becomes known takes steps away and adds none: what is left with the fewest and with the most of some parts known
+    is left with any of these known.
     """
-    if any(set(way.earlier) <= right for way in solution.paths.get(asked.part, ())):
-        return [asked]
+    asked = key.solution.answer(part.id)
+    if asked is None:
+        return hints(key, part, frozenset())
+    of_steps = {step.part for step in steps_to(key.solution, asked, frozenset())}
+    of_ways = {each for way in key.solution.paths.get(asked.part, ()) for each in way.earlier}
+    count = [
+        each.id for each in key.variant.problem.parts if each.id in of_steps | of_ways and each.id != part.id
+    ]
+    return _tree(key, part, asked, frozenset(), count)
+
+
+def _tree(key: Key, part: Part, asked: Unknown, right: frozenset[str], others: Sequence[str]) -> Hints:
+    fewest, most = (remaining(key.solution, asked, known) for known in (right, right.union(others)))
+    if fewest.same_as(most):
+        return _hints(key, part, fewest)
+    first = next(
+        (
+            each
+            for each in others
+            if not remaining(key.solution, asked, right | {each}).same_as(fewest)
+            or not remaining(key.solution, asked, right.union(others) - {each}).same_as(most)
+        ),
+        others[0],
+    )
+    left = [each for each in others if each != first]
+    return Fork(
+        first,
+        known=_tree(key, part, asked, right | {first}, left),
+        unknown=_tree(key, part, asked, right, left),
+    )
+
+
+def remaining(solution: Solution, asked: Unknown, right: Set[str]) -> Remaining:
+    """Of the author's way and those of `Solution.paths`, which lead from earlier answers straight to a later one, the shorter."""
     needed = steps_to(solution, asked, right)
-    return [find for find in solution.unknowns if any(find is each for each in needed)]
+    if len(needed) > 1:
+        for way in solution.paths.get(asked.part, ()):
+            if set(way.earlier) <= right:
+                return Remaining((asked,), way.earlier)
+    letters = letters_of(asked.local)
+    return Remaining(
+        tuple(find for find in solution.unknowns if any(find is each for each in needed)),
+        tuple(find.part for find in solution.unknowns if find.part in right and letters & set(find.names)),
+    )
 
 
-def _of_step(key: Key, steps: Sequence[Unknown], asked: Unknown, right: Set[str]) -> Iterator[str]:
-    step, problem = steps[0], key.variant.problem
-    found = ", ".join(f"${letter(name)}$" for name in step.names)
-    if step is asked:
-        needs = letters_of(step.local)
-        earlier = [
-            problem.part(find.part).heading_letter
-            for find in key.solution.unknowns
-            if find.part in right and needs & set(find.names)
-        ]
-        if earlier:
-            yield _(
-                "One step is left, and it starts from your answer in {parts}.",
-                parts=", ".join(f"({each})" for each in earlier),
-            )
-        else:
-            yield _("One step leads from what is given to the answer.")
-    elif step.part:
+def _hints(key: Key, part: Part, left: Remaining | None) -> tuple[str, ...]:
+    own = (part.hint,) if part.hint else ()
+    if left is not None:
+        return tuple(dict.fromkeys((*own, *_of_steps(key, left))))
+    if laws := _laws_of(key.solution, part.id):
+        return (*own, *_of_laws(laws, ()))
+    thought = advice(key, part)
+    return (*own, thought) if thought else own
+
+
+def _of_steps(key: Key, left: Remaining) -> Iterator[str]:
+    """Each step in turn, as far as the one that decides."""
+    asked = left.steps[-1]
+    for place, step in enumerate(left.steps):
+        yield _opening(key, left, place)
+        thoughts = tuple(_of_laws(step.laws, _formulas(step, asked), _why(step)))
+        if not thoughts and step.part:  # laws that say no more than the answer itself
+            thoughts = tuple(filter(None, (advice(key, key.variant.problem.part(step.part)),)))
+        yield from thoughts
+
+
+def _opening(key: Key, left: Remaining, place: int) -> str:
+    """What a step finds, and how many come after it."""
+    step, problem, after = left.steps[place], key.variant.problem, len(left.steps) - 1 - place
+    if not after and place:
+        return _("Now the last step: what is asked.")
+    if not after and left.starts:
+        parts = ", ".join(f"({problem.part(each).heading_letter})" for each in left.starts)
+        return _("One step is left, and it starts from your answer in {parts}.", parts=parts)
+    if not after:
+        return _("One step leads from what is given to the answer.")
+    if step.part:
         part = problem.part(step.part)
-        yield _(
+        return _(
             "Find first what ({part}) asks for: {title}. From there it is {count} more.",
             part=part.heading_letter,
             title=part.title,
-            count=_steps(len(steps) - 1),
+            count=_steps(after),
         )
-    else:
-        yield _(
-            "Something that nobody asks for comes first; call it {found}. From there it is {count} more.",
-            found=found,
-            count=_steps(len(steps) - 1),
-        )
-    yield from _of_laws(step.laws, _formulas(step, asked), _why(step))
+    return _(
+        "Something that nobody asks for comes first; call it {found}. From there it is {count} more.",
+        found=", ".join(f"${letter(name)}$" for name in step.names),
+        count=_steps(after),
+    )
 
 
 def _of_laws(laws: Sequence[AppliedLaw], answers: Sequence[Expr], why: str = "") -> Iterator[str]:

@@ -17,7 +17,7 @@ from corollary.grading.points import grade
 from corollary.grading.run_programs import run_programs
 from corollary.grading.solutions import worked_steps_of
 from corollary.notebook.worksheet import Exercise, exercise
-from corollary.practice.hints import hints
+from corollary.practice.hints import Hints, hints, hints_by_known
 from corollary.problem.part import Part
 
 Answer = str | list[str]
@@ -57,6 +57,10 @@ class Posed:
     def hints(self, name: str, right: frozenset[str]) -> tuple[str, ...]:
         """What may be told of a part, one after the other, to whom the parts in `right` are known."""
         return hints(self.key, self.part(name), right)
+
+    def hints_by_known(self, name: str) -> Hints:
+        """The same for every choice of known parts."""
+        return hints_by_known(self.key, self.part(name))
 
     @cached_property
     def worked_steps(self) -> tuple[str, ...]:

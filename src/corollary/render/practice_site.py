@@ -18,9 +18,8 @@ from corollary.grading.key import Key
 from corollary.grading.plain_key import NOT_JUDGED, judged, serialized
 from corollary.messages import spoken
 from corollary.notebook.packing import catalogues, texts_of
-from corollary.practice.posed import Posed
+from corollary.practice.hints import Hints
 from corollary.practice.practice import Practice
-from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.render.animation import animation
 from corollary.render.markdown import html, inline
@@ -108,19 +107,18 @@ def _turn(practice: Practice, problem: Problem, turn: int) -> dict[str, Any]:
         "read": [part.id for part in parts if set(part.answer_types) <= set(BUILT_IN)],
         "steps": [html(step) for step in posed.worked_steps],
         "motion": animation(film) if film else "",
-        "hints": {part.id: _hints(posed, part, parts) for part in parts},
+        "hints": {part.id: _as_html(posed.hints_by_known(part.id)) for part in parts},
         "advice": {part.id: inline(text) for part in parts if (text := advice(posed.key, part))},
         "said": {text: inline(text) for text in _texts(posed.key)},
         "key": json.dumps(serialized(posed.key), separators=(",", ":")),
     }
 
 
-def _hints(posed: Posed, part: Part, parts: list[Part]) -> list[list[str]]:
-    """By how many of the first parts are known."""
-    known = (
-        frozenset(each.id for each in parts[:count] if each is not part) for count in range(len(parts) + 1)
-    )
-    return [[html(each) for each in posed.hints(part.id, right)] for right in known]
+def _as_html(hints: Hints) -> dict[str, Any] | list[str]:
+    """Hints as HTML, by which parts are known."""
+    if isinstance(hints, tuple):
+        return [html(each) for each in hints]
+    return {"part": hints.part, "known": _as_html(hints.known), "unknown": _as_html(hints.unknown)}
 
 
 def _texts(key: Key) -> Iterator[str]:

@@ -62,9 +62,10 @@ async function ask(what) {
     case "exercise": return {html: its.html, judged: its.judged};
     case "motion": return {html: its.motion};
     case "step": return {html: its.steps[what.place], last: what.place + 1 >= its.steps.length};
-    case "hint": {
-      const hints = its.hints[what.part], order = Object.keys(its.hints), known = order.findIndex(each => !what.right.includes(each));
-      return {html: hints[known < 0 ? order.length : known][what.place] || ""};
+    case "hints": {
+      let hints = its.hints[what.part];
+      while (hints.part) hints = what.right.includes(hints.part) ? hints.known : hints.unknown;
+      return {hints};
     }
     case "read": return its.read.includes(what.part) ? python("read", what.answer) : {ok: true, text: ""};
     case "judge": {

@@ -79,7 +79,7 @@ function wire() {
       waiting = setTimeout(() => preview(section, read), 180);
     });
     form.addEventListener("submit", event => { event.preventDefault(); check(section); });
-    form.querySelector(".hint").addEventListener("click", () => hint(section));
+    form.querySelector(".hint").addEventListener("click", () => hint(section, true));
   }
   document.getElementById("step").addEventListener("click", showStep);
   const other = document.getElementById("other");
@@ -109,6 +109,7 @@ async function check(section) {
       if (!got.person && now.wrong[part] > 2) now.helped = true;
     }
     if (got.person) document.getElementById("step").focus();
+    for (const other of sheet.querySelectorAll("section[data-part]")) if (other !== section) hint(other, false);
     finish();
   } catch (error) { trouble(place, error); }
 }
@@ -134,20 +135,26 @@ async function showMotion() {
     animate(place.querySelector(".film"));
   } catch (error) { trouble(place, error); }
 }
-async function hint(section) {
-  const part = section.dataset.part, list = section.querySelector(".hints");
-  const right = [...now.right].filter(each => each !== part);
+// One more hint; or, when another part became known, those that no longer fit are made anew. What is shown are always the first
+// of the hints for what the student has by now.
+async function hint(section, more) {
+  const mine = now, part = section.dataset.part, list = section.querySelector(".hints"), shown = mine.hints[part] || [];
+  if (!more && !shown.length) return;
+  const right = [...mine.right].filter(each => each !== part);
   try {
-    const got = await ask({ask: "hint", code: now.code, turn: now.turn, part, right, place: now.hints[part] || 0});
+    const {hints} = await ask({ask: "hints", code: mine.code, turn: mine.turn, part, right});
+    if (mine !== now || shown !== (mine.hints[part] || shown)) return; // another exercise, or another press, came first
+    const fit = shown.findIndex((each, place) => each !== hints[place]), kept = fit < 0 ? shown.length : fit;
+    if (!more && kept === shown.length) return;
+    for (const item of [...list.children].slice(kept)) item.remove();
+    mine.hints[part] = hints.slice(0, kept + 1);
     const item = document.createElement("li");
-    if (got.html) {
-      item.innerHTML = got.html;
-      now.hints[part] = (now.hints[part] || 0) + 1;
-    } else item.textContent = now.hints[part] ? words.noMoreHints : words.noHint;
-    if (got.html || !list.querySelector(".last")) {
-      if (!got.html) item.className = "last";
-      list.append(item);
+    if (kept < hints.length) item.innerHTML = hints[kept];
+    else {
+      item.textContent = kept ? words.noMoreHints : words.noHint;
+      item.className = "last";
     }
+    list.append(item);
   } catch (error) { trouble(section.querySelector(".feedback"), error); }
 }
 
