@@ -11,10 +11,11 @@ from corollary.formula.ball import Certified, RationalPi, Undefined, certified
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
-from corollary.verify.extreme_scenes import extremes
 from corollary.verify.extremes import Pushed, push, pushed, ulps
-from corollary.verify.scene_extremes import Extreme, ExtremeRun, play
-from corollary.verify.scene_laws import meets
+
+from .extreme_runs import Extreme, ExtremeRun, play
+from .extreme_scenes import extremes
+from .scene_laws import meets
 
 CODES = ("X12.2", "X12.5", "X12.7", "X12.12", "E12.7.2", "E12.7.1", "E12.3.1")
 

@@ -111,7 +111,7 @@ command(
     BANK,
     VARIANTS,
     JSON,
-    flag("--extremes", "Instead: closed forms and scenes at the ends of the range."),
+    flag("--extremes", "Instead: closed forms at the ends of the range."),
     path("--report", text="Write what was found as a page: derivations, obligations, answers over the grid."),
     flag("--anew", "Verify also what held before and has not changed since."),
     flag("--verbose", "Show notes, too, and not only how many there are."),

@@ -69,7 +69,7 @@ def run(
     if extremes:
         from corollary.cli.verify_extremes import run_extremes
 
-        return run_extremes(todo, broken, scenes=not codes, as_json=as_json)
+        return run_extremes(todo, broken, as_json=as_json)
     found: list[Checked] = []
     verify_those = on_cluster(cluster) if cluster else verify_each
     verify_all = partial(verify_changed, verify_those=verify_those, anew=anew)

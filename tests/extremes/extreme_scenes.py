@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from corollary.verify.scene_extremes import Extreme
-from corollary.verify.scene_laws import ends, meets, pair_law, row_law, two
+from .extreme_runs import Extreme
+from .scene_laws import ends, meets, pair_law, row_law, two
 
 HERTZ = (-0.070952353651436871, 0.076403039071206993, 0.994549314580229878)
 """Three equal balls with Hertz contacts, speed one; the 30-digit reference of the tests."""

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 from corollary.scenes.catalogue import run
 from corollary.scenes.run import BadSetting, GuardFailed, Observed
-from corollary.verify.scene_laws import SceneLaw
+
+from .scene_laws import SceneLaw
 
 ROUNDING = 2e-14  # a law is met when it is off by no more than the run states, and a few roundings
 
