@@ -384,3 +384,51 @@ def test_a_formula_with_a_unit_says_how_to_ask_for_it(refused):
         asks="## Momentum {#a .expression}\n?\n",
     )
     assert sentence.endswith('say unit="kg m/s" in its heading')
+
+
+ANGLE = '## Angle {#a .value unit="deg" points=1}\nWhich?\n'
+WITH_ENDS = """\
+code: X1.1
+title: A cart
+given:
+  m: {is: mass, value: 0.5, from: 0.1, to: 0.9, step: 0.1, unit: kg}
+  v: {is: number, value: 1, from: -2, to: 2, step: 1}
+  t: {is: time, value: 2, from: 1, to: 4, step: 1, unit: s}
+"""
+
+
+def step_for(equation: str, where: str) -> str:
+    return (
+        f'return derivation(step(q, "At the end.", law("Angle", "{equation}"), where={where}, answers="a"))'
+    )
+
+
+@pytest.mark.parametrize(
+    ("equation", "where", "right"),
+    [
+        ("cos(q) = v/2", "sympy.And(q >= 0, q <= sympy.pi)", "acos(v/2)"),
+        ("sin(q) = v/2", "sympy.And(q >= -sympy.pi/2, q <= sympy.pi/2)", "asin(v/2)"),
+        ("q^2 = (v + 2)^2", "q >= 0", "v + 2"),
+    ],
+)
+def test_a_root_may_lie_on_the_end_of_where_it_is_looked_for(solved, equation, where, right):
+    found = solved(step_for(equation, where), asks=ANGLE, front=WITH_ENDS)
+    assert closed(found, "a")[0] == right
+
+
+def test_a_root_that_leaves_where_it_is_looked_for_is_still_refused(refused):
+    inside = step_for("cos(q) = v/2", "sympy.And(q >= 0, q < sympy.pi)")
+    _line, sentence = refused(inside, asks=ANGLE, front=WITH_ENDS)
+    assert "holds for q = acos" in sentence
+
+
+def test_a_cubic_with_one_real_root(solved):
+    found = solved(
+        'return derivation(step(q, "Cubic.", law("Cubic", "q^3 + m^2*q = (m*v)^3"), answers="a"))',
+        asks='## Mass {#a .value unit="kg"}\n?\n',
+        front=WITH_ENDS.replace("from: -2, to: 2", "from: 1, to: 3") + "require:\n  - m > 0\n  - v > 0\n",
+    )
+    (root,) = found.answer("a").in_givens
+    ball = evaluate(root, {"m": RationalPi(Fraction(1)), "v": RationalPi(Fraction(2))}, 100)
+    value = float(ball.mid())
+    assert value**3 + value == pytest.approx(8)

@@ -10,7 +10,7 @@ from corollary.derive.roots import Picked
 from corollary.derive.solution import OtherRoot
 from corollary.derive.statements import Step
 from corollary.formula.ast import Expr, Relation
-from corollary.formula.authored import as_expression
+from corollary.formula.authored import NotTyped, as_expression
 from corollary.formula.from_sympy import NoTree, tree
 
 
@@ -43,5 +43,5 @@ def formula(expression: object) -> Expr | None:
     """In our own terms; None where it is no formula of ours."""
     try:
         return tree(as_expression(expression))
-    except NoTree:
+    except (NoTree, NotTyped):  # NotTyped: a complex root
         return None

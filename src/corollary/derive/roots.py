@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any
 
 import sympy
 
@@ -19,6 +20,7 @@ from corollary.formula.latex import latex
 from corollary.laws.law import Law, substitute, symbols
 from corollary.messages import N_
 
+EDGE = sympy.Float("1e-20")  # nearer than this, algebra decides whether two values are the same
 SAME = sympy.Float("1e-25")  # relative: two values of 30 digits are the same
 
 
@@ -116,9 +118,10 @@ def pick(
             why.append(f"{_equations(root)} is rejected")
             worded.append(root)
         elif not all(_real(root, point) for point in points):
-            refused.append(
-                Sentence(N_("{root} is not real for every value of the givens"), (("root", _formula(root)),))
-            )
+            if (formula := _formula(root)) is not None:
+                refused.append(
+                    Sentence(N_("{root} is not real for every value of the givens"), (("root", formula),))
+                )
             why.append(
                 f"{_equations(root)} is not real for every value of the givens (narrow their ranges, or bound them with where:)"
             )
@@ -127,20 +130,24 @@ def pick(
     for entry in rejected:
         if not any(_is(root, entry.root, points) for root in found):
             raise NoRoot(f"the root to reject ({entry.reason}) is no root of the laws")
-    fitting = []
-    for root in left:
-        fits = [where] if isinstance(where, bool) else [_holds(where, root, point) for point in points]
-        if all(fits):
-            fitting.append(root)
-        elif any(fits):
+    found_fit = [
+        [where] * len(points) if isinstance(where, bool) else [_holds(where, root, point) for point in points]
+        for root in left
+    ]
+    fitting = [root for root, fits in zip(left, found_fit, strict=True) if all(fits)]
+    for root, fits in zip(left, found_fit, strict=True):
+        if root in fitting:
+            continue
+        fits_at = [point for point, fit in zip(points, fits, strict=True) if fit]
+        if fits_at and not any(_is(root, other, fits_at) for other in fitting):
             raise NoRoot(
                 f"where={where} holds for {_equations(root)} at some values of the givens and fails at others; "
                 "say which root is meant by one that does not change its mind (a mistake may have a where= of its own)"
             )
-        else:
-            holes = (("root", _formula(root)), ("condition", f"${_condition(where)}$"))
+        if (formula := _formula(root)) is not None:
+            holes = (("root", formula), ("condition", f"${_condition(where)}$"))
             refused.append(Sentence(N_("{root} contradicts {condition}"), holes))
-            why.append(f"{_equations(root)} contradicts {where}")
+        why.append(f"{_equations(root)} contradicts {where}")
     if not fitting:
         raise NoRoot(f"no root is left: {'; '.join(why)}")
     if len(fitting) > 1:
@@ -184,7 +191,26 @@ def _real(root: Root, point: Point) -> bool:
 
 def _holds(where: sympy.Basic, root: Root, point: Point) -> bool:
     numbers = {symbol: at(value, point) for symbol, value in root.items()}
-    return _decided(substitute(substitute(where, numbers), point.values), f"where={where}")
+    truths = {
+        relational: _equal_allowed(relational)
+        for relational in where.atoms(sympy.core.relational.Relational)
+        if _equal(relational, root, numbers, point)
+    }
+    return _decided(substitute(substitute(where.xreplace(truths), numbers), point.values), f"where={where}")
+
+
+def _equal_allowed(relational: Any) -> sympy.Basic:
+    """The truth of a relation between equal sides."""
+    return sympy.true if isinstance(relational, sympy.Eq | sympy.Le | sympy.Ge) else sympy.false
+
+
+def _equal(relational: Any, root: Root, numbers: dict[sympy.Symbol, Any], point: Point) -> bool:
+    """True where both sides are the same, as at the end of an arc cosine's range: 30 digits alone may fall on either side of it."""
+    left, right = (substitute(substitute(side, numbers), point.values).evalf() for side in relational.args)
+    if not (left.is_number and right.is_number) or abs(left - right) > EDGE * max(1, abs(left), abs(right)):
+        return False
+    gap = substitute(substitute(relational.lhs - relational.rhs, dict(root)), point.values)
+    return bool(sympy.simplify(gap) == 0)
 
 
 def _decided(fits: sympy.Basic | bool, what: str) -> bool:
@@ -195,11 +221,14 @@ def _decided(fits: sympy.Basic | bool, what: str) -> bool:
     return bool(fits)
 
 
-def _formula(root: Root) -> str:
-    """A root as a formula of the worked solution."""
-    return ", ".join(
-        f"${latex(Relation('=', Name(str(symbol)), tree(value)))}$" for symbol, value in root.items()
-    )
+def _formula(root: Root) -> str | None:
+    """A root as a formula of the worked solution; None for one that has none, such as the complex roots of a cubic."""
+    try:
+        return ", ".join(
+            f"${latex(Relation('=', Name(str(symbol)), tree(value)))}$" for symbol, value in root.items()
+        )
+    except NoTree:
+        return None
 
 
 def _condition(where: sympy.Basic | bool) -> str:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from corollary.derive.put_back import put_laws_back
 from corollary.derive.solution import Solution
-from corollary.formula.ast import names
+from corollary.formula.ast import Expr, Relation, names
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.operators import measured
 from corollary.problem.bank import Bank
@@ -42,7 +44,7 @@ def check_cases(bank: Bank, solution: Solution, tally: Tally) -> None:
 
 
 def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
-    """Every law of the derivation, as it stands here, has the same dimension on both sides."""
+    """Every law and every condition of the derivation, as it stands here, has the same dimension on both sides."""
     for regime in solution.regimes[1:]:
         check_dimensions(bank, regime.solution, tally)
     dimensions = {given.symbol: given.unit.dimension for given in solution.problem.givens}
@@ -54,12 +56,28 @@ def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
     for left in solution.neglected:
         dimensions |= dict(zip(left.bound.names, left.bound.dimensions, strict=True))
         dimensions |= {value.stated.name: value.dimension for value in left.supposing}
+    stated: list[tuple[str, int, Expr]] = list(_conditions(solution))
     for find in (*solution.unknowns, *(left.bound for left in solution.neglected)):
         for law in (*find.laws, *(law for route in find.routes for law in route.stated.laws)):
-            for relation in law.here:
-                if names(measured(relation)) - {"pi"} - dimensions.keys():
-                    continue  # an unknown met only inside a step: its dimension follows from the law itself
-                found = dimension_of(measured(relation), dimensions)
-                tally.count("dimensions")
-                if isinstance(found, ParseError):
-                    tally.complain(f"{path.name}:{find.statement.line}: {law.name}: {sentence(found)}")
+            stated += [(law.name, find.statement.line, measured(relation)) for relation in law.here]
+    for name, line, relation in stated:
+        if names(relation) - {"pi"} - dimensions.keys():
+            continue  # an unknown met only inside a step: its dimension follows from the law itself
+        found = dimension_of(relation, dimensions)
+        tally.count("dimensions")
+        if isinstance(found, ParseError):
+            tally.complain(f"{path.name}:{line}: {name}: {sentence(found)}")
+
+
+def _conditions(solution: Solution) -> Iterator[tuple[str, int, Relation]]:
+    """The conditions of cases, options, roots and claims, each with what it is a condition of, and its line."""
+    for regime in solution.regimes:
+        yield from ((f"the case {regime.text!r}", regime.line, one) for one in regime.conditions)
+    for find in solution.unknowns:
+        yield from (("where=", find.statement.line, one) for one in find.where or ())
+    for choice in solution.choices.values():
+        for letter, condition in choice.options.items():
+            if isinstance(condition, Relation):
+                yield f"option {letter}", choice.statement.line, condition
+    for claim in solution.always:
+        yield from ((f"always({claim.words!r})", claim.line, one) for one in claim.conditions)
