@@ -39,18 +39,13 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
             return behind
     if expected is not None and isinstance(unit, Unit) and "turn" in unit.text:
         unit = _counted(unit, expected)
-    if (
-        isinstance(unit, Unit)
-        and expected is not None
-        and HERTZ.search(unit.text)
-        and RADIANS.search(expected.text)
-    ):
-        return ParseError("asked", _("Hz counts whole turns, not radians"), None, _("write rad/s, or rpm"))
+    if _counts_turns(unit, expected):
+        return _turns_are_no_radians()
     if expected is None or (isinstance(unit, Unit) and unit.dimension == expected.dimension):
         return unit
     unknown = isinstance(unit, ParseError) and unit.status == "refused"
     if (unknown or in_capitals(text)) and (meant := _in_another_case(text, expected)) is not None:
-        return meant
+        return _turns_are_no_radians() if _counts_turns(meant, expected) else meant
     if isinstance(unit, Unit) and (slip := _slip_of_case(text, unit, expected)) is not None:
         return slip
     twice = UNIT_TWICE.fullmatch(text)
@@ -69,6 +64,17 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
     if twice:
         return fitting[0] if len(fitting) == 2 else unit
     return fitting[0] if len({each.factor for each in fitting}) == 1 else unit
+
+
+def _counts_turns(unit: Unit | ParseError, expected: Unit | None) -> bool:
+    """True of hertz where radians per second are asked for."""
+    if expected is None or not isinstance(unit, Unit):
+        return False
+    return bool(HERTZ.search(unit.text) and RADIANS.search(expected.text))
+
+
+def _turns_are_no_radians() -> ParseError:
+    return ParseError("asked", _("Hz counts whole turns, not radians"), None, _("write rad/s, or rpm"))
 
 
 def _fits(unit: Unit | ParseError, expected: Unit) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import getpass
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -15,13 +15,15 @@ from corollary.cli.local_page import serve
 from corollary.cli.mark_terminal import mark_in_terminal
 from corollary.course.one_page_server import OnePageServer
 from corollary.course.up_to_date import up_to_date
+from corollary.grading.near_misses import accepted_text
 from corollary.nbgrader.marking import NotMarkable, give_marks, part_named, to_mark
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.table import read_table
-from corollary.records.answers_to_mark import PartToMark
+from corollary.records.answers_to_mark import AnswerGroup, PartToMark
 from corollary.records.files import Course, open_course, students
 from corollary.records.manual import ManualMark
 from corollary.records.marks import stored_record
+from corollary.records.near_misses import near_misses_record
 from corollary.records.origin import set_of
 from corollary.render.marking_page import marking_page
 
@@ -39,13 +41,16 @@ def run(
     terminal: bool,
     given: list[str],
     file: Path | None,
+    accepted: list[str],
     no_browser: bool,
     port: int = 0,
 ) -> int:
     opened = open_course(course)
     _, problem_set = set_of(opened, name, bank)
-    written = _from_words(opened, problem_set, given) | (
-        _from_file(opened, problem_set, file) if file else {}
+    written = (
+        (_accepted(opened, problem_set, accepted) if accepted else {})
+        | (_from_file(opened, problem_set, file) if file else {})
+        | _from_words(opened, problem_set, given)
     )
     marks = {key: mark for key, (mark, _) in written.items()}
     if marks:
@@ -71,7 +76,7 @@ def run(
 def _serve(
     course: Course, problem_set: ProblemSet, everything: bool, names: bool, no_browser: bool, port: int
 ) -> None:
-    whose: dict[str, tuple[str, tuple[str, ...]]] = {}
+    whose: dict[str, tuple[str, AnswerGroup]] = {}
 
     def page() -> str:
         parts = to_mark(course, problem_set, everything=everything)
@@ -79,26 +84,53 @@ def _serve(
         for part in parts:
             for place, group in enumerate(part.groups):
                 ids[part.key, place] = f"a{len(whose)}"
-                whose[f"a{len(whose)}"] = part.key, group.students
+                whose[f"a{len(whose)}"] = part.key, group
         return marking_page(problem_set, parts, ids, names=names)
 
     def receive(posted: dict[str, Any]) -> None:
         try:
-            part, students = whose[str(posted["group"])]
+            part, group = whose[str(posted["group"])]
             score, comment = posted["points"], str(posted.get("comment") or "").strip()
             score = None if score is None else float(score)
         except (KeyError, TypeError):
             raise NotMarkable("this page is of an earlier run; reload it") from None
-        _give(course, problem_set, part, students, ManualMark(score, None, comment or None, by=_who()))
+        mark = ManualMark(score, None, comment or None, by=_who())
+        give_marks(course, problem_set, {(each, part): given for each, given in _marks_of(group, mark)})
 
     page()  # what is wrong with the course is said before anything is opened
     serve(OnePageServer(page, receive, port), "ctrl-C ends it, and what you gave is saved", no_browser)
+
+
+def _marks_of(group: AnswerGroup, mark: ManualMark) -> Iterator[tuple[str, ManualMark]]:
+    """The mark for each student of the group; whose near miss is accepted without a word is told how it was taken."""
+    near = {each.student: each for each in group.near_miss.answers} if group.near_miss else {}
+    for student in group.students:
+        accepted = student in near and mark.score == near[student].points and not mark.comment
+        comment = accepted_text(near[student].read) if accepted else mark.comment
+        yield student, msgspec.structs.replace(mark, comment=comment)
 
 
 def _give(
     course: Course, problem_set: ProblemSet, part: str, students: Sequence[str], mark: ManualMark
 ) -> None:
     give_marks(course, problem_set, {(student, part): mark for student in students})
+
+
+def _accepted(course: Course, problem_set: ProblemSet, wanted: list[str]) -> Marks:
+    """All points for every answer of these groups of near misses."""
+    groups = {each.id: each for each in up_to_date(course, problem_set).near_misses}
+    found: Marks = {}
+    for one in wanted:
+        if one not in groups:
+            have = f"; its groups are {', '.join(groups)}" if groups else "; it has none"
+            refuse(f"--accept {one}: {problem_set.name} has no near misses of this name{have}")
+        group, where = groups[one], f"--accept {one}"
+        for each in group.answers:
+            record = stored_record(course, problem_set.name, each.student)
+            key = part_named(problem_set, f"{group.problem} {group.part}", record)
+            mark = ManualMark(each.points, None, accepted_text(each.read), by=_who())
+            found[each.student, key] = mark, where
+    return found
 
 
 def _from_words(course: Course, problem_set: ProblemSet, given: list[str]) -> Marks:
@@ -186,6 +218,7 @@ def _record(part: PartToMark) -> dict[str, Any]:
             "why": group.why,
             "given": None if group.given is None else msgspec.to_builtins(group.given),
             "again": group.again,
+            "near_miss": None if group.near_miss is None else near_misses_record(group.near_miss),
         }
         for group in part.groups
     ]

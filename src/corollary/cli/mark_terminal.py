@@ -64,6 +64,10 @@ def _ask(part: PartToMark, group: AnswerGroup, heading: str, give: Give) -> bool
     count = f", given by {len(group.students)} students" if len(group.students) > 1 else ""
     late = f", {group.late} late" if group.late else ""
     print(f"\n--- {heading}{count}{late}")
+    if group.near_miss is not None:
+        print(f"near miss of reading ({group.near_miss.kind}): it earned nothing; read otherwise it is right")
+        for each in group.near_miss.answers:
+            print(visible(f"  {each.typed} as {each.read}"))
     for cell in group.cells:
         print(visible(cell.verbatim))
         if cell.pictures:

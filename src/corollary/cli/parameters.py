@@ -137,6 +137,7 @@ MARKING = (
     flag("--names", "Show whose the answers are."),
     flag("--terminal", "Mark in the terminal instead."),
     several("--set", "given", "Give a mark: ada/X12.11c=1.5"),
+    several("--accept", "accepted", "Give all points to a group of near misses, by its id in the report"),
     click.Option(
         ["--from", "file"], type=PATH, help="Give marks: a CSV file with student, part, points, comment."
     ),

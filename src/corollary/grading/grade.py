@@ -12,6 +12,15 @@ from corollary.sandbox.result import CellRun, Figure
 
 
 @dataclass(frozen=True, slots=True)
+class NearMiss:
+    """An answer that would be right if it were read otherwise: the kind of other reading, the answer as typed, and so read."""
+
+    kind: str
+    text: str
+    read: str
+
+
+@dataclass(frozen=True, slots=True)
 class PartGrade:
     """`answer` is how the answer was read (or as typed, when it was not); `feedback` is Markdown for the student.
     `basis` has for each answer type what its share of the points goes by, where the verdict's word does not say it
@@ -24,6 +33,7 @@ class PartGrade:
     answer: str
     feedback: str
     basis: tuple[str, ...] = ()
+    near: NearMiss | None = None
 
     @property
     def waits(self) -> bool:

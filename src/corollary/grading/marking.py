@@ -11,6 +11,7 @@ from corollary.formula.value import Nothing, Text, Value
 from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
+from corollary.grading.near_misses import with_near_misses
 from corollary.grading.points import grade
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.judge import asks
@@ -137,13 +138,12 @@ def _grade(
         reveal=reveal,
     )
     ran = _runs(notebook, executed)
-    return replace(
-        graded,
-        parts=tuple(
-            _explained(part, prompt, notebook, ran)
-            for part, prompt in zip(graded.parts, prompts, strict=True)
-        ),
+    explained = tuple(
+        _explained(part, prompt, notebook, ran) for part, prompt in zip(graded.parts, prompts, strict=True)
     )
+    typed = {prompt.part.id: _without_quotes(prompt, notebook) for prompt in prompts}
+    written = {part: typed[part] if isinstance(value, Nothing) else value for part, value in answers.items()}
+    return with_near_misses(keys[code], replace(graded, parts=explained), written)
 
 
 def _answer(prompt: Prompt, notebook: Notebook, executed: ExecutionResult) -> Value:
@@ -203,6 +203,12 @@ def _left_to_a_person(part: PartGrade, prompt: Prompt, notebook: Notebook) -> Pa
         )
     )
     return replace(part, verdict=Unmarked(sentence), answer=text, feedback=sentence)
+
+
+def _without_quotes(prompt: Prompt, notebook: Notebook) -> Value:
+    """The text that a cell gives to the name of its answer without quotes."""
+    bare = unquoted(prompt.name, written_elsewhere(notebook.node, prompt))
+    return Text(bare) if bare else Nothing()
 
 
 def _unbound(sheet: Worksheet, grades: Iterable[Grade], notebook: Notebook) -> Iterator[str]:

@@ -39,7 +39,7 @@ from corollary.problem.variant import Variant
 from corollary.records.causes import TIME, changed, needs_no_run
 from corollary.records.files import Course
 from corollary.records.marks import read_record
-from corollary.records.record import Record, record_of
+from corollary.records.record import Record, Row, record_of
 from corollary.records.retained import verdict_of
 from corollary.render.feedback_facts import ExerciseFacts, PageFacts, PartFacts, packed
 from corollary.render.feedback_page import feedback_page
@@ -104,10 +104,10 @@ def from_record(
 
 def _marked(record: Record, submission: Submission) -> Marked | None:
     """The marks as they were given; None where the record has other parts."""
-    reasons = {(row.problem, row.part): row.why for row in record.rows}
+    rows = {(row.problem, row.part): row for row in record.rows}
     grades: list[Grade] = []
     for variant in submission.variants:
-        parts = [_part(record, variant, part.id, reasons) for part in variant.problem.parts]
+        parts = [_part(record, variant, part.id, rows) for part in variant.problem.parts]
         grades.append(Grade(variant, tuple(part for part in parts if part is not None)))
         if None in parts:
             return None
@@ -126,16 +126,18 @@ def _marked(record: Record, submission: Submission) -> Marked | None:
 
 
 def _part(
-    record: Record, variant: Variant, part_id: str, reasons: dict[tuple[str, str], str]
+    record: Record, variant: Variant, part_id: str, rows: dict[tuple[str, str], Row]
 ) -> PartGrade | None:
     problem = variant.problem
     part = problem.part(part_id)
     found = record.parts.get(problem.answer_name(part))
     if found is None:
         return None
-    verdict = verdict_of(found, reasons.get((problem.code, part_id), ""))
+    row = rows.get((problem.code, part_id))
+    verdict = verdict_of(found, row.why if row else "")
     basis = () if found.basis is msgspec.UNSET else found.basis
-    return PartGrade(part, verdict, found.points, found.out_of, found.answer, found.feedback, basis)
+    near = row.near if row else None
+    return PartGrade(part, verdict, found.points, found.out_of, found.answer, found.feedback, basis, near)
 
 
 def _as_recorded(record: Record, marked: Marked) -> Record:

@@ -11,6 +11,7 @@ from msgspec import UNSET
 from nbformat import NotebookNode
 from nbformat.v4 import new_notebook
 
+from corollary.grading.grade import NearMiss
 from corollary.messages import did_you_mean
 from corollary.nbgrader.given import give
 from corollary.nbgrader.marked_notebook import answer_cells, verbatim
@@ -21,6 +22,7 @@ from corollary.records.answers_to_mark import AnswerGroup, PartToMark, WrittenCe
 from corollary.records.files import Course, ids_of, one_writer, students
 from corollary.records.manual import ManualMark, Place
 from corollary.records.marks import check_graded, read_marks, write_page
+from corollary.records.near_misses import near_misses
 from corollary.records.record import Record, Row
 from corollary.render.wording import points
 
@@ -30,7 +32,7 @@ class NotMarkable(ValueError):
 
 
 def to_mark(course: Course, problem_set: ProblemSet, *, everything: bool = False) -> list[PartToMark]:
-    """The parts with answers that wait for a person, or `everything`, in the order of the set. Raises NotACourse and
+    """The parts with answers that wait for a person or are near misses, or `everything`, in the order of the set. Raises NotACourse and
     NothingGraded."""
     check_graded(course, problem_set.name)
     with one_writer(course):
@@ -43,7 +45,7 @@ def to_mark(course: Course, problem_set: ProblemSet, *, everything: bool = False
         whose = [
             student
             for student, record in records.items()
-            if key in record.parts and (everything or _waits(record, key))
+            if key in record.parts and (everything or _waits(record, key) or _near_miss(record, key))
         ]
         if whose:
             groups = tuple(_groups(key, whose, records, notebooks))
@@ -131,11 +133,23 @@ def _waits(record: Record, key: str) -> bool:
     return any(row.waits for name, row in rows if name == key)
 
 
+def _near_miss(record: Record, key: str) -> NearMiss | None:
+    return _row(record, key).near_miss
+
+
 def _groups(
     key: str, whose: Sequence[str], records: Mapping[str, Record], notebooks: Mapping[str, NotebookNode]
 ) -> Iterator[AnswerGroup]:
-    """Equal but for blanks and capitals. Answers with pictures are nobody else's, nor are those already marked otherwise, by
-    a person or, for other numbers, by the program."""
+    """Near misses of one kind and text first, then what is equal but for blanks and capitals. Answers with pictures are nobody
+    else's, nor are those already marked otherwise, by a person or, for other numbers, by the program."""
+    near = near_misses(row for each in whose if (row := _row(records[each], key)).near_miss)
+    for group in near:
+        first = group.students[0]
+        late = sum(records[student].late > 0 for student in group.students)
+        cells = tuple(_cells(notebooks[first], key))
+        row = _row(records[first], key)
+        yield AnswerGroup(group.students, cells, late, _why(row), None, row.again, group)
+    whose = [each for each in whose if not any(each in group.students for group in near)]
     by_answer: dict[object, list[tuple[str, tuple[WrittenCell, ...]]]] = {}
     for student in whose:
         cells = tuple(_cells(notebooks[student], key))

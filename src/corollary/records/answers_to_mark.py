@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from corollary.records.manual import ManualMark
+from corollary.records.near_misses import NearMisses
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +21,7 @@ class WrittenCell:
 @dataclass(frozen=True, slots=True)
 class AnswerGroup:
     """Equal answers to one part, marked together: `late` counts those that came late. `given` is what a person gave all of
-    them, `again` says that it was for another answer."""
+    them, `again` says that it was for another answer. `near_miss` are answers, not all equal, that one other reading makes right."""
 
     students: tuple[str, ...]
     cells: tuple[WrittenCell, ...]
@@ -28,6 +29,7 @@ class AnswerGroup:
     why: str
     given: ManualMark | None
     again: bool
+    near_miss: NearMisses | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from typing import assert_never
 import msgspec
 
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
-from corollary.grading.grade import Marked
+from corollary.grading.grade import Marked, NearMiss
 from corollary.grading.record import marked_record
 from corollary.records.manual import ManualMark, OfStudent
 from corollary.version import __version__
@@ -34,10 +34,16 @@ class Row(msgspec.Struct, frozen=True):
     again: bool = (
         False  # a person marked it, and is to look again: the answer is another now, or its points are
     )
+    near: NearMiss | None = None  # another reading by which an answer that earned nothing would be right
 
     @property
     def waits(self) -> bool:
         return self.verdict == UNMARKED or self.again
+
+    @property
+    def near_miss(self) -> NearMiss | None:
+        """The other reading, as long as no person has decided on the answer."""
+        return None if self.by_hand and not self.again else self.near
 
 
 class HandedIn(msgspec.Struct, frozen=True):
@@ -159,6 +165,7 @@ def rows(marked: Marked) -> tuple[Row, ...]:
             part.out_of,
             *_reasons(part.verdict),
             rubric=part.verdict.rubric if isinstance(part.verdict, Unmarked) else (),
+            near=part.near,
         )
         for grade in marked.grades
         for part in grade.parts

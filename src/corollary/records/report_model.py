@@ -22,6 +22,7 @@ from corollary.records.files import Course, students
 from corollary.records.hand_in_time import guessed_time, handed_in, why_guessed
 from corollary.records.manual import ManualMarks
 from corollary.records.marks import read_marks
+from corollary.records.near_misses import NearMisses, near_misses, near_misses_record
 from corollary.records.record import HandedIn, Row
 from corollary.records.submission import submissions, unclear, why_unclear
 
@@ -80,6 +81,7 @@ class Report:
     excused: tuple[str, ...] = ()
     nobodys: tuple[tuple[str, str], ...] = ()
     coincidences: int = 0
+    near_misses: tuple[NearMisses, ...] = ()
 
     @property
     def noticed(self) -> tuple[HandedIn, ...]:
@@ -223,6 +225,7 @@ def report(
         tuple(excused),
         tuple(nobodys),
         len(shared) - len(rare),
+        near_misses(rows),
     )
 
 
@@ -248,6 +251,7 @@ def report_record(report: Report) -> dict[str, object]:
         "parts": [{**asdict(part), "counts": dict(part.counts)} for part in report.parts],
         "misconceptions": [{**asdict(met), "count": len(met.students)} for met in report.met],
         "waiting": [asdict(one) for one in report.waiting],
+        "near_misses": list(map(near_misses_record, report.near_misses)),
         "unusable": [{"student": student, "why": why} for student, why in report.unusable],
         "nobodys": [{"file": file, "why": why} for file, why in report.nobodys],
         "failed": [{"student": one.student, "why": one.trouble} for one in report.failed],

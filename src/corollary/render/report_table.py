@@ -48,6 +48,23 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
             ((one.student, f"{one.problem} {one.part}", one.why) for one in report.waiting[:MOST]),
         )
         yield from _more(len(report.waiting))
+    if report.near_misses:
+        yield _table(
+            "Near misses of reading (nothing was given; accept a group with corollary mark SET --accept ID)",
+            ("id", "part", "kind", "typed", "would be right as", "students"),
+            (
+                (
+                    one.id,
+                    f"{one.problem} {one.part}",
+                    one.kind,
+                    one.answers[0].typed,
+                    one.answers[0].read,
+                    f"{len(one.students)}: {_some(one.students)}",
+                )
+                for one in report.near_misses[:MOST]
+            ),
+        )
+        yield from _more(len(report.near_misses))
     if report.failed:
         yield _table(
             "Something went wrong", ("student", "why"), ((one.student, one.trouble) for one in report.failed)

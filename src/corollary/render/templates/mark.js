@@ -70,6 +70,7 @@ for (const [place, article] of answers.entries()) {
   article.addEventListener("click", event => {
     const button = event.target.closest("[data-item]");
     if (button) toggle(article, button.dataset.item);
+    if (event.target.closest(".accept")) give(article, article.dataset.outOf);
   });
   article.addEventListener("change", event => { if (event.target.matches(".score, textarea")) save(article); });
 }

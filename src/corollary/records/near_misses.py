@@ -1,0 +1,70 @@
+"""Near misses of reading in a graded set, grouped by part, kind and text, to be accepted for all students of a group at once."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
+from hashlib import sha256
+
+from corollary.records.record import Row
+
+NUMBER = re.compile(r"\d+(?:[.,]\d+)*")
+LONGEST = 120
+
+
+@dataclass(frozen=True, slots=True)
+class NearMissOf:
+    """One student's answer as typed, how it would be read to be right, and the points that are at stake, before lateness."""
+
+    student: str
+    typed: str
+    read: str
+    points: float
+
+
+@dataclass(frozen=True, slots=True)
+class NearMisses:
+    """Answers to one part that one other reading makes right. `text` is what they have in common: with `…` in the place of each
+    number, for everybody has other numbers."""
+
+    problem: str
+    part: str
+    kind: str
+    text: str
+    answers: tuple[NearMissOf, ...]
+
+    @property
+    def id(self) -> str:
+        """A short name, the same in every run; what `corollary mark --accept` takes."""
+        return group_id(self.problem, self.part, self.kind, self.text)
+
+    @property
+    def students(self) -> tuple[str, ...]:
+        return tuple(each.student for each in self.answers)
+
+
+def near_misses(rows: Iterable[Row]) -> tuple[NearMisses, ...]:
+    """The groups, the largest first; nothing on which a person has decided."""
+    found: dict[tuple[str, str, str, str], list[NearMissOf]] = {}
+    for row in rows:
+        if (near := row.near_miss) is not None:
+            place = row.problem, row.part, near.kind, in_common(near.text)
+            found.setdefault(place, []).append(NearMissOf(row.student, near.text, near.read, row.out_of))
+    groups = (NearMisses(*place, tuple(answers)) for place, answers in found.items())
+    return tuple(sorted(groups, key=lambda one: -len(one.answers)))
+
+
+def near_misses_record(group: NearMisses) -> dict[str, object]:
+    """A group as plain data."""
+    return {"id": group.id, **asdict(group), "students": list(group.students)}
+
+
+def in_common(text: str) -> str:
+    """The text without its numbers and the size of its blanks."""
+    return " ".join(NUMBER.sub("…", text).split())[:LONGEST]
+
+
+def group_id(problem: str, part: str, kind: str, text: str) -> str:
+    """Eight letters and digits."""
+    return sha256("\n".join((problem, part, kind, text)).encode()).hexdigest()[:8]
