@@ -168,12 +168,12 @@ def derive(mA, mB, vA):
             r"Divide numerator and denominator of the general result by $m_B$: $v_{A,1} = \frac{m_A/m_B - "
             r"1}{m_A/m_B + 1}v_A$ and $v_{B,1} = \frac{2m_A/m_B}{m_A/m_B + 1}v_A$, and let $m_A/m_B$ go to "
             r"0.",
-            in_the_limit(f, formulas, mB, sympy.oo, "m_A/m_B is negligible"),
+            in_the_limit(f, formulas, mB, sympy.oo, "A's mass is negligible beside B's"),
             answers="f",
             mistakes=[
                 mistake(
                     "You have taken the other limit: here B is the heavy one.",
-                    in_the_limit(f, formulas, mB, 0, "m_B/m_A is negligible"),
+                    in_the_limit(f, formulas, mB, 0, "B's mass is negligible beside A's"),
                 ),
                 mistake(
                     "They do not stick together: an elastic collision leaves A all of its kinetic energy.",
@@ -194,12 +194,12 @@ def derive(mA, mB, vA):
             g,
             r"Divide by $m_A$ instead: $v_{A,1} = \frac{1 - m_B/m_A}{1 + m_B/m_A}v_A$ and $v_{B,1} = "
             r"\frac{2}{1 + m_B/m_A}v_A$, and let $m_B/m_A$ go to 0.",
-            in_the_limit(g, formulas, mB, 0, "m_B/m_A is negligible"),
+            in_the_limit(g, formulas, mB, 0, "B's mass is negligible beside A's"),
             answers="g",
             mistakes=[
                 mistake(
                     "You have taken the other limit: here B is the light one.",
-                    in_the_limit(g, formulas, mB, sympy.oo, "m_A/m_B is negligible"),
+                    in_the_limit(g, formulas, mB, sympy.oo, "A's mass is negligible beside B's"),
                 ),
                 mistake(
                     "B does not stay with A: they part as fast as they came together.",
