@@ -90,3 +90,15 @@ def test_the_stages_of_a_reading_are_told():
         "parse_unit",
     ]
     assert found["stages"][-1] == {"stage": "parse_unit", "took": "N", "left": ""}
+
+
+@pytest.mark.parametrize(
+    ("text", "read"),
+    [
+        ("12 N because F = ma", 12),
+        ("12 N because left is negative", "asked"),
+        ("12 N since it moves left", "asked"),
+    ],
+)
+def test_a_reason_behind_a_number_gives_no_sign(text: str, read: object):
+    assert value(text, "N") == read

@@ -14,7 +14,7 @@ from corollary.formula.numerals import TO_ASCII
         "8.6 N", "= 8.6 N", "≈ 8.6 N", "~8.6 N", "ca. 8.6 N", "about 8.6 N", "ungefähr 8.6 N", "environ 8.6 N", "F = 8.6 N",
         "Δp ≈ 8.6 N", "delta p = 8.6 N", "|p| = 8.6 N", "p_1 - p_0 = m v = 8.6 N", "0.43*20 = 8.6 N", "Answer: 8.6 N", "a) 8.6 N",
         "(b) 8.6 N", "The force is 8.6 N", "“8.6 N”", "**8.6 N**", "8.6 N.", "8.6 N;", "8.6 N (g = 9.81 m/s²)",
-        "8.6 N, with g = 9.8",
+        "8.6 N, with g = 9.8", "8.6 N because F = ma", "8.6 N, since 2*4.3 = 8.6", "8.6 N due to gravity", "F is 8.6 N", "F_N is 8.6 N",
     ],
 )  # fmt: skip
 def test_the_answer_is_found(written):
@@ -34,6 +34,7 @@ def test_the_answer_is_found(written):
         "> 8 N",
         "half of 8.6 N",
         "x = 3, y = 4",
+        "8.6 N because it is not 9 N",
     ],
 )
 def test_what_changes_an_answer_stays(written):

@@ -9,9 +9,10 @@ from dataclasses import dataclass, replace
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
 from corollary.answers.gain import gain_in
 from corollary.answers.motion_words import way_behind
+from corollary.answers.preamble import without_reason
 from corollary.answers.question import Question
 from corollary.answers.remark import remark_in
-from corollary.answers.sign_words import AXIS_OF, SIGNS
+from corollary.answers.sign_words import AXIS_OF, REASON_WORD, SIGNS
 from corollary.formula.ast import Negative
 from corollary.formula.value import Text, Value
 from corollary.messages import catalogue
@@ -98,6 +99,7 @@ def with_direction(
     """
     if not isinstance(value, Text) or len(value.text) > LONGEST:
         return read(value)
+    value = Text(without_reason(value.text))
     if gain := gain_in(value.text, question):
         return _signed(read(Text(gain.text)), gain.sign, gain.word)
     angle = question.unit.text in ("rad", "deg")
@@ -168,7 +170,10 @@ def direction_of(text: str, directed: bool, component: str = "") -> Direction | 
     """The direction a text of bounded length names, if any; `directed` tells that what is asked for has one."""
     if not directed:
         return None
-    if found := ALONG.search(text):
+    found = ALONG.search(text)
+    if found and REASON_WORD.search(text[: found.start()]):  # `12 N because left is negative`
+        return None
+    if found:
         if component in ("x", "y", "z") and axis_named(text) not in ("", component):
             return None
         sign = SIGNS[found["way"].lower()] if found["way"] else 1 if found["sign"] == "+" else -1

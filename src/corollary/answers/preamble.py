@@ -8,6 +8,8 @@ from typing import NamedTuple
 from corollary.answers import trace
 from corollary.answers.left_side import SYMBOL
 from corollary.answers.number_words import NUMBERS
+from corollary.answers.remark import DENIED
+from corollary.answers.sign_words import SIGNS
 
 QUOTES = "\"'“”„‟«»‹›`*_"  # also those of Markdown
 ABOUT = (  # in English, and as German, French and Nordic students say
@@ -45,6 +47,7 @@ LEADING = (
         r"I (?:get|got|find|found|have) |(?:the )?same as (?:before|in \(?[a-z]\)?)[,:]\s*", re.IGNORECASE
     ),
     re.compile(rf"[=≈~:]\s*|(?:{WORDS})(?![A-Za-z0-9_^*/(]|\s+ganger)\s*", re.IGNORECASE),
+    re.compile(rf"(?:{NAME})\s+(?:is|was|equals|ist|beträgt|er|est)\s+(?=[-+]?[0-9.,√(])"),
     re.compile(rf"(?:{NAME})\s*[:~](?=\s*[-+0-9.,√(])\s*"),
 )
 MINUS = re.compile(
@@ -70,6 +73,17 @@ GRAVITY = re.compile(
 )
 
 
+# `86 N because F = ma`: a clause that gives the reason, unless it takes the number back or speaks of a sign.
+REASON = re.compile(
+    r"(?<=[^\W_]|[²³)°%½])[\s,;]+(?:because|since|due to|weil|fordi)\b(?P<why>.*)$",
+    re.IGNORECASE | re.DOTALL,
+)
+OF_A_SIGN = re.compile(
+    rf"\b(?:{'|'.join(SIGNS)}|minus|toward\w*|away|against|reverse\w*|los[est]\w*|gain\w*|(?:in|de)creas\w*)\b",
+    re.IGNORECASE,
+)
+
+
 class Bare(NamedTuple):
     """An answer without talk: its text, how many signs stood before it, and the sides before its last equals sign."""
 
@@ -83,8 +97,9 @@ def answer_in(normalized: str, *, in_letters: bool = False) -> Bare:
 
     `in_letters`: it is a formula, behind which `!` is a factorial and never talk.
     """
-    found = GRAVITY.search(normalized)
-    text, before = (normalized[: found.start()] if found and found.start() else normalized), 0
+    unreasoned = without_reason(normalized)
+    found = GRAVITY.search(unreasoned)
+    text, before = (unreasoned[: found.start()] if found and found.start() else unreasoned), 0
     if text != normalized:
         trace.took("split_remark", normalized[len(text) :], text)
     sides: list[str] = []
@@ -107,6 +122,14 @@ def answer_in(normalized: str, *, in_letters: bool = False) -> Bare:
         if text[:skipped].strip():
             trace.took("solve_left_side" if found_sides else "strip_preamble", text[:skipped], text[skipped:])
         text, before = text[skipped:], before + skipped
+
+
+def without_reason(text: str) -> str:
+    """A text of bounded length without the reason behind its answer, unless that may change the answer."""
+    found = REASON.search(text)
+    if found is None or DENIED.search(found["why"]) or OF_A_SIGN.search(found["why"]):
+        return text
+    return text[: found.start()]
 
 
 def _skipped(text: str) -> tuple[int, list[str]]:
