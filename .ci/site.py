@@ -22,6 +22,7 @@ from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
 import corollary.laws
+from corollary.answers.questions import askable
 from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import exercise
 from corollary.problem.bank import Bank, chapter_bank, open_bank
@@ -43,6 +44,7 @@ LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)#:\s]*)(#[^)]*)?\)")
 SHIM = "iframe-worker@1.0.4"  # by whom the theme is: the search of a page that lies in a folder, where browsers start no worker
 SHIM_ADDRESS = "assets/iframe-worker.js"
 SEARCH = 'data-md-component="search" role="dialog"'
+LOG = logging.getLogger("mkdocs")
 LETTERS_ALONE = {"law"}  # modules of corollary.laws that hold no laws
 
 
@@ -94,9 +96,7 @@ def _shim() -> str:
         try:
             return (unpacked(SHIM, Path(place)) / "shim" / "index.js").read_text(encoding="utf-8")
         except (NoNpm, NotFetched):
-            logging.getLogger("mkdocs").info(
-                "npm cannot fetch %s: the search of this site needs a server", SHIM
-            )
+            LOG.info("npm cannot fetch %s: the search of this site needs a server", SHIM)
             return ""
 
 
@@ -140,16 +140,24 @@ def _gallery() -> Iterator[tuple[str, str]]:
     for name, bank in _banks():
         text.append(f"\n## {name}\n")
         solutions = Solutions(bank)
-        topics = list(dict.fromkeys(problem.topic for problem in bank))
+        readable, broken = askable(bank)
+        for complaint in broken:
+            LOG.warning("not in the gallery: %s", complaint)
+        topics = list(dict.fromkeys(problem.topic for problem in readable))
         for topic, problems in groupby(
-            sorted(bank, key=lambda each: topics.index(each.topic)), key=lambda each: each.topic
+            sorted(readable, key=lambda each: topics.index(each.topic)), key=lambda each: each.topic
         ):
             heading = topic.replace("_", " ").capitalize()
             text.append(f'\n### {heading}\n\n<div class="grid cards" markdown>\n\n')
             for problem in problems:
                 address = f"gallery/{problem.code}.html"
-                yield address, _page(problem, solutions)
-                text.append(_card(problem, address))
+                try:
+                    page, card = _page(problem, solutions), _card(problem, address)
+                except Exception as error:  # of one problem: it costs the others nothing
+                    LOG.warning("not in the gallery: %s: %s", problem.code, error)
+                    continue
+                yield address, page
+                text.append(card)
             text.append("\n</div>\n")
     yield "gallery.md", "".join(text)
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from corollary.answers.question import Question, Symbol
 from corollary.answers.registry import BUILT_IN, answer_type, known
+from corollary.problem.bank import Bank, chapter_order, readable
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.given import Given
 from corollary.problem.part import Part
@@ -89,6 +90,18 @@ def checked(problem: Problem) -> Problem:
     if found:
         raise Malformed(found)
     return problem
+
+
+def askable(bank: Bank) -> tuple[list[Problem], list[Diagnostic]]:
+    """The problems of a bank that can be asked, in the order of the chapter, and what is wrong with the others."""
+    problems, broken = readable(bank)
+    found: list[Problem] = []
+    for problem in sorted(problems, key=lambda each: chapter_order(each.code)):
+        try:
+            found.append(checked(problem))
+        except Malformed as error:
+            broken += error.complaints
+    return found, broken
 
 
 def _misfits(part: Part) -> Iterator[str]:

@@ -6,12 +6,15 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from corollary.atomic import write_whole
-from corollary.cli.ending import HOLDS, answer, refuse, say
+from corollary.cli.ending import HOLDS, answer, refuse, say, unforeseen
 from corollary.cli.export_options import ExportOptions
-from corollary.cli.open_sets import course_in, not_to_be_practised, with_sets
+from corollary.cli.open_sets import course_in, not_to_be_practised, say_broken, with_sets
 from corollary.cli.progress import bar
-from corollary.practice.practice import practice
-from corollary.problem.bank import Bank, open_bank
+from corollary.derive.load import NotDerivable
+from corollary.formula.ball import Undefined
+from corollary.grading.assign import NoVariant
+from corollary.practice.practice import Practice, practice
+from corollary.problem.bank import Bank, codes, open_bank
 from corollary.problem.problem_set import set_names
 from corollary.render.practice_site import exercise_file, page_file, python_files, snapshot_file
 from corollary.render.pyodide import NoPyodide, NoSnapshot, fetched
@@ -31,16 +34,14 @@ def run(named: Sequence[str], given: ExportOptions) -> int:
         files = dict(python_files(python))
     except (LookupError, NoPyodide) as error:
         refuse(str(error))
-    refused = list[str]()
-    with bar("exercises", len(found.problems)) as done:
-        for problem in found.problems:
-            text = exercise_file(found, problem, given["variants"] or USUAL_TURNS)
-            if text is None:
-                refused.append(problem.code)
-            else:
-                files[f"exercises/{problem.code}.js"] = text
-            done(problem.code)
+    say_broken(found)
+    exercises, refused = exercise_files(found, given["variants"] or USUAL_TURNS)
+    files |= exercises
     found.problems = tuple(each for each in found.problems if each.code not in refused)
+    for code, why in refused.items():
+        say(f"{code} is left out, since it has no answers: {why}")
+    if not found.problems:
+        refuse("no problem is left to practise on")
     files["index.html"] = page_file(found)
     try:
         name, content = snapshot_file(python, found)
@@ -50,8 +51,6 @@ def run(named: Sequence[str], given: ExportOptions) -> int:
     for name, content in files.items():
         write_whole(output / name, content)
     size = sum(map(len, files.values()))
-    if refused:
-        say(f"left out, since they have no answers: {', '.join(refused)}")
     if given["as_json"]:
         codes = [each.code for each in found.problems]
         answer(
@@ -62,6 +61,21 @@ def run(named: Sequence[str], given: ExportOptions) -> int:
     return HOLDS
 
 
+def exercise_files(found: Practice, turns: int) -> tuple[dict[str, bytes], dict[str, str]]:
+    """The file of each exercise, by name, and what is wrong with the others, by code."""
+    files, refused = dict[str, bytes](), dict[str, str]()
+    with bar("exercises", len(found.problems)) as done:
+        for problem in found.problems:
+            try:
+                files[f"exercises/{problem.code}.js"] = exercise_file(found, problem, turns)
+            except (NotDerivable, NoVariant, Undefined) as error:
+                refused[problem.code] = str(error)
+            except Exception as error:  # it costs this problem, and no other
+                refused[problem.code] = unforeseen(error)
+            done(problem.code)
+    return files, refused
+
+
 def _wanted(bank: Bank, named: Sequence[str], output: Path | None) -> tuple[list[str], Path]:
     """What is named, and the folder."""
     wanted = list(named)
@@ -69,7 +83,7 @@ def _wanted(bank: Bank, named: Sequence[str], output: Path | None) -> tuple[list
         if not wanted:
             refuse("name the folder for the site: corollary export --to site DIR")
         place = wanted.pop()
-        if place in {*set_names(bank), *(each.code for each in bank)}:
+        if place in {*set_names(bank), *codes(bank).values()}:
             refuse(
                 f"{place} is in the bank; name the folder for the site last: corollary export {place} --to site DIR"
             )

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from dataclasses import asdict
 from typing import Any
 
-from corollary.answers.questions import checked
 from corollary.answers.registry import answer_type
 from corollary.problem.count import variants, written
 from corollary.problem.given import Given
@@ -16,8 +15,8 @@ from corollary.units.unit import canonical
 
 
 def listed(problems: Iterable[Problem]) -> list[tuple[dict[str, Any], list[str]]]:
-    """Raises Malformed where a heading does not fit its answer type."""
-    counted = [(checked(problem), *variants(problem)) for problem in problems]
+    """Of problems that can be asked."""
+    counted = [(problem, *variants(problem)) for problem in problems]
     return [(_record(*each), _row(*each)) for each in counted]
 
 

@@ -15,7 +15,7 @@ from corollary import plug_ins, user_cache
 from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse
 from corollary.messages import did_you_mean
-from corollary.problem.bank import Bank, chapter_bank, chapter_order, files, open_bank, readable
+from corollary.problem.bank import Bank, chapter_bank, chapter_order, files, open_bank
 from corollary.version import __version__
 
 HEADINGS = ("code", "title", "topic", "givens", "parts", "answers", "variants")
@@ -100,10 +100,11 @@ def listed(bank: Bank) -> tuple[list[tuple[dict[str, Any], list[str]]], list[str
     name = f"list-{hashlib.sha256(bank.place.encode()).hexdigest()[:16]}"
     if (text := user_cache.read(name, origin)) is not None:
         return json.loads(text), []
-    from corollary.cli.listed import listed as made  # with formulas, units and numpy
+    from corollary.answers.questions import askable  # with formulas, units and numpy
+    from corollary.cli.listed import listed as made
 
-    problems, broken = readable(bank)
-    found = made(sorted(problems, key=lambda problem: chapter_order(problem.code)))
+    problems, broken = askable(bank)
+    found = made(problems)
     if not broken:
         user_cache.write(name, origin, json.dumps(found).encode())
     return found, list(map(str, broken))

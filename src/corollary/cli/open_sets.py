@@ -7,6 +7,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from corollary.cli.ending import say
+from corollary.practice.practice import Practice
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank
 from corollary.problem.dates import in_words
 from corollary.problem.diagnostic import Malformed
@@ -48,6 +49,12 @@ def not_to_be_practised(bank: Bank, names: Sequence[str], course: Course | None 
         say(f"left out, since not due yet: the problems of {', '.join(listed)}")
     named = [_codes(_set(bank, name, course)) for name in names]
     return set[str]().union(*named, *(codes for _, codes in waiting.values()))
+
+
+def say_broken(found: Practice) -> None:
+    """Say which problems of the bank nobody can practise on, and why."""
+    for each in found.broken:
+        say(f"left out, since it is broken: {each}")
 
 
 def _is_a_sample(bank: Bank, name: str) -> bool:

@@ -10,7 +10,7 @@ from typing import Any, cast
 
 from corollary.cli.ending import HOLDS, refuse, say
 from corollary.cli.local_page import serve
-from corollary.cli.open_sets import course_in, not_to_be_practised, with_sets
+from corollary.cli.open_sets import course_in, not_to_be_practised, say_broken, with_sets
 from corollary.course.one_page_server import OnePageServer
 from corollary.derive.load import NotDerivable
 from corollary.formula.ball import Undefined
@@ -47,6 +47,7 @@ def run(
         )
     except LookupError as error:
         refuse(str(error))
+    say_broken(found)
     serve(_server(found, port), "ctrl-C ends it, and your browser keeps what you did", no_browser)
     return HOLDS
 

@@ -6,7 +6,8 @@ import importlib.util
 import inspect
 import re
 import traceback
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Generator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from pkgutil import iter_modules
@@ -20,13 +21,13 @@ from corollary.derive.comparison import NAMES, compiled
 from corollary.derive.derivation import Derivation
 from corollary.derive.signs import symbol_of
 from corollary.derive.statements import SOLUTION
-from corollary.derive.time_limit import TooLong, no_way_out, time_limit
+from corollary.derive.time_limit import TooLong, keyboard, no_way_out, time_limit
+from corollary.guard import Overtime, failure_of
 from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.problem import Problem
 
-AUTHOR_S = (
-    30.0  # seconds for a solution's own code to state what it derives, which takes it some milliseconds
-)
+AUTHOR_S, AUTHOR_WALL_S = 10.0, 30.0
+"""Seconds of the processor, and on the wall, for a solution's own code to state what it derives, which takes it some milliseconds."""
 OF_NUMBERS = ("Cannot convert expression to float", "Cannot convert symbols to", "has no callable")
 """What Python says where a function of numbers is given a formula."""
 
@@ -67,8 +68,26 @@ def load(bank: Bank, problem: Problem) -> Loaded:
         raise NotDerivable(
             path, 0, f"is missing; {problem.path.name} needs a solution there, with a function derive(…)"
         )
-    with importable(path), time_limit(AUTHOR_S), no_way_out():
+    with importable(path), time_limit(AUTHOR_S, AUTHOR_WALL_S):
         return _loaded(problem, path)
+
+
+@contextmanager
+def authors_code(path: Path, fails: str, line: int = 0) -> Generator[None]:
+    """Raise NotDerivable for whatever an author's own code raises, SystemExit and a KeyboardInterrupt of its own among it.
+
+    What a person interrupts at the keyboard stops all the same.
+    """
+    with no_way_out(), keyboard() as pressed:
+        try:
+            yield
+        except (NotDerivable, Overtime):
+            raise
+        except BaseException as error:
+            if pressed():
+                raise KeyboardInterrupt from error
+            sentence = f"{fails}: {_description(error)}{_remedy(error)}"
+            raise NotDerivable(path, line_in(error, path) or line, sentence) from error
 
 
 def _loaded(problem: Problem, path: Path) -> Loaded:
@@ -87,17 +106,9 @@ def _loaded(problem: Problem, path: Path) -> Loaded:
     from corollary.laws.law import own_letters  # only here, as sympy above
 
     symbols = {name: symbol_of(problem, name) for name in have}
-    try:
-        with own_letters(symbols, numbered=problem.path.is_relative_to(chapter_bank().problems)) as meanings:
-            derivation = derive(**{name: symbols[name] for name in wanted})
-    except KeyboardInterrupt:
-        raise
-    except BaseException as error:  # whatever an author's own code raises
-        raise NotDerivable(
-            path,
-            line_in(error, path) or line,
-            f"derive fails: {type(error).__name__}: {error}{_remedy(error)}",
-        ) from error
+    numbered = problem.path.is_relative_to(chapter_bank().problems)
+    with authors_code(path, "derive fails", line), own_letters(symbols, numbered=numbered) as meanings:
+        derivation = derive(**{name: symbols[name] for name in wanted})
     stated = cast("tuple[Any, ...]", derivation) if isinstance(derivation, tuple) else ()
     if not all(isinstance(each, Branch) for each in stated) or not stated:
         raise NotDerivable(path, line, "derive must return derivation(…)")
@@ -128,20 +139,21 @@ def _module(path: Path) -> ModuleType:
     spec = importlib.util.spec_from_file_location(SOLUTION + path.stem, path)
     assert spec is not None
     module = importlib.util.module_from_spec(spec)
-    try:
-        # Compiled anew: Python takes its own copy for the same file when size and second are, as after a quick change of a sign.
-        vars(module).update(NAMES)
-        exec(compiled(path.read_bytes(), str(path)), vars(module))
-    except SyntaxError as error:
-        raise NotDerivable(path, error.lineno or 1, f"is not Python: {error.msg}") from None
-    except KeyboardInterrupt:
-        raise
-    except BaseException as error:  # whatever an author's own code raises
-        remedy = _remedy(error)
-        raise NotDerivable(
-            path, line_in(error, path), f"cannot be loaded: {type(error).__name__}: {error}{remedy}"
-        ) from error
+    vars(module).update(NAMES)
+    with authors_code(path, "cannot be loaded"):
+        try:
+            # Compiled anew: Python takes its own copy for the same file when size and second are, as after a quick change of a sign.
+            exec(compiled(path.read_bytes(), str(path)), vars(module))
+        except SyntaxError as error:
+            raise NotDerivable(path, error.lineno or 1, f"is not Python: {error.msg}") from None
     return module
+
+
+def _description(error: BaseException) -> str:
+    try:
+        return f"{type(error).__name__}: {error}".removesuffix(": ")
+    except Exception:  # an author's own exception may fail at its own words
+        return failure_of(error).what
 
 
 def _in_scenes(name: str) -> str:

@@ -6,7 +6,8 @@ import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from corollary.derive.load import Loaded, NotDerivable, line_in, load
+from corollary.derive.load import AUTHOR_S, AUTHOR_WALL_S, Loaded, NotDerivable, authors_code, load
+from corollary.derive.time_limit import time_limit
 from corollary.problem.bank import Bank
 from corollary.problem.variant import Variant
 from corollary.scenes.scene import Scene
@@ -60,18 +61,14 @@ def simulations_of(
     """The same of a solution that is loaded. Raises NotDerivable."""
     if loaded.scene is None:
         return []
-    try:
+    line = loaded.scene.__code__.co_firstlineno
+    with time_limit(AUTHOR_S, AUTHOR_WALL_S), authors_code(loaded.path, "scene fails", line):
         bounds = (
             {"neglected": neglected or {}}
             if "neglected" in inspect.signature(loaded.scene).parameters
             else {}
         )
         wanted = list(loaded.scene(**variant.si, answer=answers, **bounds))
-    except Exception as error:
-        line = line_in(error, loaded.path) or loaded.scene.__code__.co_firstlineno
-        raise NotDerivable(loaded.path, line, f"scene fails: {type(error).__name__}: {error}") from error
     if not all(isinstance(each, Simulation) for each in wanted):
-        raise NotDerivable(
-            loaded.path, loaded.scene.__code__.co_firstlineno, "scene must return a list of simulate(…)"
-        )
+        raise NotDerivable(loaded.path, line, "scene must return a list of simulate(…)")
     return wanted

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from corollary.derive.load import NotDerivable
 from corollary.derive.simulation import Seen, simulations
 from corollary.grading.key import Key
 from corollary.grading.neglect import neglected_in
@@ -13,7 +12,10 @@ from corollary.scenes.run import BadSetting, GuardFailed
 
 
 def motion(bank: Bank, key: Key) -> Film | None:
-    """The first simulation that the solution wants `animated`; none where there is none, or where these numbers let nothing move."""
+    """The first simulation that the solution wants `animated`; none where there is none, or where these numbers let nothing move.
+
+    Raises NotDerivable where the scene fails.
+    """
     answers: dict[str, Seen] = {
         part: truth.values[0] if len(truth.values) == 1 else truth.values
         for part, truth in key.truths.items()
@@ -22,5 +24,5 @@ def motion(bank: Bank, key: Key) -> Film | None:
         wanted = simulations(bank, key.variant, answers, neglected_in(key))
         first = next((each for each in wanted if each.animated), None)
         return film_of(first.scene, first.settings) if first else None
-    except (NotDerivable, BadSetting, GuardFailed):
+    except (BadSetting, GuardFailed):
         return None

@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence, Set
 from dataclasses import dataclass, field
 
+from corollary.answers.questions import askable
+from corollary.derive.load import NotDerivable
+from corollary.derive.time_limit import TooLong
 from corollary.grading.key import Key
 from corollary.grading.solutions import Solutions
 from corollary.practice.motion import motion
 from corollary.practice.posed import Posed
 from corollary.problem.bank import Bank
+from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.problem import Problem
 from corollary.problem.variant import chapter
 from corollary.scenes.film import Film
@@ -20,12 +24,17 @@ AT_HAND = 64  # exercises at hand; an older one is drawn again
 
 @dataclass(slots=True)
 class Practice:
-    """The problems one may practise on. `turn` counts how often a problem was begun: each has other numbers."""
+    """The problems one may practise on. `turn` counts how often a problem was begun: each has other numbers.
+
+    `broken`: what is wrong with files of the bank that cannot be read. A problem is in `endless` once its scene has not ended:
+    it has no motion from then on."""
 
     bank: Bank
     problems: tuple[Problem, ...]
     solutions: Solutions
+    broken: tuple[Diagnostic, ...] = ()
     posed: dict[tuple[str, int], Posed] = field(default_factory=dict[tuple[str, int], Posed])
+    endless: set[str] = field(default_factory=set[str])
 
     def pose(self, code: str, turn: int) -> Posed:
         """The exercise of a turn; turn 0 has the printed numbers. Raises LookupError for a code that is left out,
@@ -41,7 +50,14 @@ class Practice:
 
     def motion(self, code: str, turn: int) -> Film | None:
         """What moves in the exercise of a turn; it tells the answers. Raises as `pose` does."""
-        return motion(self.bank, self.pose(code, turn).key)
+        if code in self.endless:
+            return None
+        try:
+            return motion(self.bank, self.pose(code, turn).key)
+        except NotDerivable as error:
+            if isinstance(error.__cause__, TooLong):
+                self.endless.add(code)
+            return None
 
     def _key(self, problem: Problem, turn: int) -> Key:
         """The printed numbers where these are all there are."""
@@ -53,9 +69,12 @@ class Practice:
 def practice(bank: Bank, wanted: Sequence[str] = (), left_out: Set[str] = frozenset()) -> Practice:
     """The problems of the bank whose code, name or topic is wanted (all when none is), but those whose code is `left_out`.
 
-    Raises LookupError when nothing is left, or a word is none of these.
+    A file that cannot be read costs its own problem. Raises LookupError when nothing is left, or a word is none of these, and
+    Malformed when no file can be read.
     """
-    problems = list(bank)
+    problems, broken = askable(bank)
+    if broken and not problems:
+        raise Malformed(broken)
     words = {word for each in problems for word in (each.code, each.name, each.topic)}
     if strange := [word for word in wanted if word not in words]:
         topics = ", ".join(sorted({each.topic for each in problems}))
@@ -69,4 +88,8 @@ def practice(bank: Bank, wanted: Sequence[str] = (), left_out: Set[str] = frozen
         raise LookupError(
             "no problem is left to practise on; name other problems or topics, or come back when the set is due"
         )
-    return Practice(bank, tuple(chosen), Solutions(bank))
+    first_of_its_code = {
+        each.code: each for each in reversed(chosen)
+    }  # a code used twice is among the complaints
+    unique = tuple(each for each in chosen if first_of_its_code[each.code] is each)
+    return Practice(bank, unique, Solutions(bank), tuple(broken))

@@ -85,15 +85,15 @@ def page_file(practice: Practice) -> bytes:
     return practice_page(practice, verdicts=looks | by_hand).encode()
 
 
-def exercise_file(practice: Practice, problem: Problem, turns: int) -> bytes | None:
-    """A problem with its printed numbers and others; none where it has no answers at all."""
+def exercise_file(practice: Practice, problem: Problem, turns: int) -> bytes:
+    """A problem with its printed numbers and others. Raises NotDerivable, NoVariant and Undefined where it has no answers at all."""
     found = list[dict[str, Any]]()
     for turn in range(turns if more_numbers(problem) else 1):
         try:
             found.append(_turn(practice, problem, turn))
         except (NotDerivable, NoVariant, Undefined):
             if turn == 0:
-                return None
+                raise
     return f"exercises[{json.dumps(problem.code)}] = {json.dumps(found, ensure_ascii=False)};\n".encode()
 
 

@@ -12,6 +12,7 @@ from corollary.formula.ball import Undefined
 from corollary.grading.key import make_key
 from corollary.problem.bank import Bank
 from corollary.problem.count import variants
+from corollary.problem.diagnostic import Malformed
 from corollary.problem.figure import BadFigure, drawn
 from corollary.problem.problem import Problem
 from corollary.problem.variant import at, chapter, size
@@ -104,6 +105,9 @@ class Verification:
                         check_programs(bank, own, tally, self.runner)
         except NotDerivable as error:
             tally.complain(str(error))
+        except Malformed as error:
+            for each in error.complaints:
+                tally.complain(str(each))
         except Undefined as error:
             line = problem.givens[0].line if problem.givens else 1
             tally.complain(f"{problem.path.name}:{line}: the chapter's own numbers have no answer: {error}")
