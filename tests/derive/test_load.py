@@ -83,3 +83,16 @@ def test_every_problem_of_the_chapter_has_its_solution(problem):
     assert loaded.path.relative_to(chapter_bank().folder / "solutions").with_suffix(
         ""
     ) == problem.path.relative_to(chapter_bank().problems).with_suffix("")
+
+
+def test_what_a_solution_prints_is_kept_out_of_a_commands_document(make, capsys):
+    bank = make(whole="print('loading')\ndef derive():\n    print('deriving')\n")
+    with pytest.raises(NotDerivable):
+        load(bank, read_problem(bank.problems / "carts" / "cart.md"))
+    printed = capsys.readouterr()
+    assert (printed.out, printed.err) == ("", "loading\nderiving\n")
+
+
+def test_the_text_of_a_failing_is_shown_at_a_length_that_can_be_read(refused):
+    _line, sentence = refused(whole="def derive():\n    raise ValueError('x' * 10**6)\n")
+    assert len(sentence) < 700

@@ -5,9 +5,10 @@ from __future__ import annotations
 import importlib.util
 import inspect
 import re
+import sys
 import traceback
 from collections.abc import Callable, Generator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
 from dataclasses import dataclass, field
 from pathlib import Path
 from pkgutil import iter_modules
@@ -28,6 +29,7 @@ from corollary.problem.problem import Problem
 
 AUTHOR_S, AUTHOR_WALL_S = 10.0, 30.0
 """Seconds of the processor, and on the wall, for a solution's own code to state what it derives, which takes it some milliseconds."""
+LONGEST = 600  # letters of an exception's text that an author is shown
 OF_NUMBERS = ("Cannot convert expression to float", "Cannot convert symbols to", "has no callable")
 """What Python says where a function of numbers is given a formula."""
 
@@ -68,7 +70,7 @@ def load(bank: Bank, problem: Problem) -> Loaded:
         raise NotDerivable(
             path, 0, f"is missing; {problem.path.name} needs a solution there, with a function derive(…)"
         )
-    with importable(path), time_limit(AUTHOR_S, AUTHOR_WALL_S):
+    with importable(path), time_limit(AUTHOR_S, AUTHOR_WALL_S), redirect_stdout(sys.stderr):
         return _loaded(problem, path)
 
 
@@ -151,7 +153,9 @@ def _module(path: Path) -> ModuleType:
 
 def _description(error: BaseException) -> str:
     try:
-        return f"{type(error).__name__}: {error}".removesuffix(": ")
+        text = str(error)
+        text = text if len(text) <= LONGEST else f"{text[:LONGEST]} …"
+        return f"{type(error).__name__}: {text}".removesuffix(": ")
     except Exception:  # an author's own exception may fail at its own words
         return failure_of(error).what
 
