@@ -87,6 +87,7 @@ RIGHT = {  # sentence, question, unit
     "figures": ("Use 2 significant figures and 10 decimals, π = 3.14.", "What is the force?", "N"),
     "a difference": ("It warms up.", "By how many degrees Celsius does it warm?", "K"),
     "a share of speed": ("It moves.", "What is v in m/s after 2 km in 3 min?", "m/s"),
+    "letters behind numbers": ("It is 2 t later, and 2 d apart, in 50 t or 50 d.", "What is the force?", "N"),
     "in German words": ("Im Jahr 2010 wurden 50 Autos in 2 Tagen geprüft.", "Welche Kraft?", "N"),
 }
 
@@ -110,6 +111,9 @@ TYPED = (
     "at fifty kilometers per hour along",
     "a 2-kg sample",
     "a sample of 2000 g",
+    "a sample of 0.002 t",
+    "a sample of 2 kg as before",
+    "at 50 km/h at first",
     "a sample of 2 000 g",
     "a sample of 2,000 g",
     "a mass of 2 is put in",

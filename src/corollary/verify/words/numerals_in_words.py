@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
-from corollary.units.unit import Unit, read_unit
+from corollary.units.unit import Unit, read_unit, unit
 from corollary.verify.words.author_text import INLINE
 
 GROUPED = r"\d{1,3}(?: \d{3})+(?:[.,]\d+)?"
@@ -22,6 +22,8 @@ LOOK_LIKE_UNITS = """
 a as at in is am an to of e d u t de da der die das den en et er og und i im um au the and or on per men mal ha pm l
 """
 STOP = frozenset(LOOK_LIKE_UNITS.split())
+LETTERS_OF_UNITS = frozenset("dltu")
+"""Units of one letter: behind a number they are meant, alone they are not; no product of units ends in another word of STOP."""
 NUMBER_WORDS = {
     "en": "one two three four five six seven eight nine ten eleven twelve",
     "de": "ein zwei drei vier fünf sechs sieben acht neun zehn elf zwölf",
@@ -69,6 +71,12 @@ def typed_numbers(text: str, language: str = "en") -> Iterator[TypedNumber]:
         if after == "/" and text[found.end() + 1 : found.end() + 2].isdigit():
             continue
         measured, end = unit_after(text, found.end(), in_formula)
+        if (
+            measured is None
+            and not in_formula
+            and (letter := re.match(r" ([dltu])(?![\w^=])", text[found.end() :]))
+        ):
+            measured, end = unit(letter[1]), found.end() + letter.end()
         if measured is None and (after.isalpha() or after in ("_", "\\") or (in_formula and after == "(")):
             continue  # a coefficient, as in 2R
         if measured is None and in_formula and re.match(r"\s*\\?[A-Za-z(]", text[found.end() :]):
@@ -118,7 +126,11 @@ def unit_after(text: str, at: int, in_formula: bool) -> tuple[Unit | None, int]:
     if in_formula and "$" not in found["gap"] and INLINE not in found["gap"] and found["unit"][0] not in "°%":
         return None, at
     sentence = SENTENCE_END.split(found["unit"])[0]
-    ends = [each.end() for each in re.finditer(r"\S+", sentence)][:4]
+    ends = [
+        each.end()
+        for place, each in enumerate(re.finditer(r"\S+", sentence))
+        if not (place and each[0] in STOP - LETTERS_OF_UNITS)
+    ][:4]
     for last in reversed(ends):
         written = found["unit"][:last]
         words = written.rstrip(".").replace(INLINE, "")
