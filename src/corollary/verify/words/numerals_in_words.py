@@ -177,8 +177,8 @@ def _spelt_values(language: str) -> dict[str, float]:
     found = {word: float(place) for place, word in enumerate(small, 1)}
     for place, ten in enumerate(tens, 2):
         found[ten] = 10.0 * place
-        for unit, word in enumerate(small[:9], 1):
+        for ones, word in enumerate(small[:9], 1):
             found[
                 f"{ten}-{word}" if language == "en" else f"{word}und{ten}" if language == "de" else ten + word
-            ] = 10.0 * place + unit
+            ] = 10.0 * place + ones
     return found
