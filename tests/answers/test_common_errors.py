@@ -62,3 +62,36 @@ def test_a_constant_ratio_of_formulas_is_named(ratio, words):
     found = ratio_of_formulas(ratio)
     assert words in found
     assert bool(words) == bool(found)
+
+
+@pytest.mark.parametrize(
+    ("of", "title", "directed"),
+    [
+        ("m/s", "Velocity of B", True),
+        ("m/s", "", True),
+        ("N", "Force on the car", True),
+        ("kg*m/s", "Impulse", True),
+        ("m/s^2", "Acceleration", True),
+        ("N*m", "Torque", True),
+        ("rad", "Angle", True),
+        ("J", "Change of energy", False),
+        ("kJ", "Work", False),
+        ("kg", "Mass", False),
+        ("s", "Time", False),
+        ("1", "Ratio", False),
+        ("%", "Share", False),
+        ("W", "Power", False),
+        ("K", "Temperature", False),
+        ("Pa", "Pressure", False),
+        ("C", "Charge", False),
+        ("m/s", "Speed of B", False),
+        ("m/s", "How fast?", False),
+        ("N", "Magnitude of the force", False),
+        ("m", "Distance", False),
+        ("km/h", "Tempo nachher", False),
+    ],
+)
+def test_a_sign_says_a_direction_only_of_what_has_one(of, title, directed):
+    sentence = next(text for values, text in slips((8.6,), unit(of), title) if values == (-8.6,))
+    assert ("direction" in sentence) == directed
+    assert "sign is wrong" in sentence

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from corollary.answers.answer import Numbers
-from corollary.answers.tolerance import coarse, coarse_polar, last_place, same_signs, within
+from corollary.answers.tolerance import coarse, coarse_polar, last_place, same_signs, same_value, within
 
 DEGREE = math.pi / 180
 
@@ -86,3 +89,45 @@ def test_a_length_and_an_angle_are_bounded_each_by_its_own_figures(
         Numbers((angle * DEGREE,), (angle_figures,), "", sizes=(DEGREE,)),
     )
     assert coarse_polar(vector(length, angle), polar, vector(*target), 1.0, 0.0005) == few
+
+
+DECIMALS = st.integers(-999_999, 999_999).filter(bool).map(lambda n: Fraction(n, 10_000))
+SHARES = st.integers(1, 2000).map(lambda n: Fraction(n, 10_000))
+
+
+@given(DECIMALS, SHARES, st.sampled_from([-1, 1]), st.integers(-30, 30))
+def test_the_edge_of_a_tolerance_is_inside_on_both_sides_and_what_is_beyond_is_not(
+    target, share, side, power
+):
+    """In exact fractions the answer lies on the edge, or a millionth beyond; the doubles next to them are judged alike."""
+    target *= Fraction(10) ** power
+    edge, beyond = target * (1 + side * share), target * (1 + side * (share + Fraction(1, 10**6)))
+    assert within((float(edge),), (float(target),), float(share), abs(float(target)))
+    assert not within((float(beyond),), (float(target),), float(share), abs(float(target)))
+
+
+@given(DECIMALS, st.sampled_from([-1, 1]))
+def test_two_sides_of_an_equation_may_be_a_twentieth_apart_either_way(reference, side):
+    edge = reference * (1 + side * Fraction(1, 20))
+    beyond = reference * (1 + side * Fraction(50_001, 10**6))
+    assert same_value(float(edge), float(reference))
+    assert not same_value(float(beyond), float(reference))
+
+
+def test_a_small_value_is_no_zero_on_the_other_side():
+    assert not same_value(1e-13, 5e-13)
+    assert not same_value(1e-13, 0.0)
+    assert same_value(1e-13, 0.0, 1e-12)
+
+
+@given(st.integers(-60_00, 60_00).map(lambda n: Fraction(n, 100)), st.integers(0, 2))
+def test_a_temperature_rounded_in_kelvins_is_met_by_its_figures(celsius, decimals):
+    kelvin = celsius + Fraction("273.15")
+    written = round(kelvin, decimals)
+    figures = 3 + decimals
+    off = Fraction(6, 10) / 10**decimals
+    for number, met in ((written, True), (kelvin + off, False), (kelvin - off, False)):
+        found = coarse(
+            (float(number - Fraction("273.15")),), (figures,), (float(celsius),), (1.0,), (0.0,), (-273.15,)
+        )
+        assert bool(found) == met

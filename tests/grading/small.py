@@ -11,11 +11,9 @@ from corollary.problem.bank import home
 
 
 def solved(folder: Path, givens: str, parts: str, steps: str, arguments: str) -> Solution:
-    """A problem T9 of these givens (a line of front matter each), parts (`a m/s`), and the body of its `derive`."""
-    headings = "".join(
-        f'\n## Part {name} {{#{name} .value unit="{unit}" points=1}}\nHow large?\n'
-        for name, unit in (line.split() for line in parts.splitlines())
-    )
+    """A problem T9 of these givens (a line of front matter each), parts (`a m/s`, or `#a .vector …`, what a heading has in its
+    brackets), and the body of its `derive`."""
+    headings = "".join(f"\n## Part {{{_attributes(line)}}}\nHow large?\n" for line in parts.splitlines())
     problem = f"---\ncode: T9\ntitle: Small\ngiven:\n{indent(dedent(givens), '  ')}\n---\nSmall.\n{headings}"
     solution = (
         '"""Small."""\n\nfrom corollary.author import derivation, mistake, step, unknown, unknowns\n'
@@ -26,3 +24,10 @@ def solved(folder: Path, givens: str, parts: str, steps: str, arguments: str) ->
         (folder / place).write_text(text, encoding="utf-8")
     bank, found = home(folder, "T9")
     return Solutions(bank).of(found)
+
+
+def _attributes(line: str) -> str:
+    if line.startswith("#"):
+        return f"{line} points=1"
+    name, unit = line.split()
+    return f'#{name} .value unit="{unit}" points=1'

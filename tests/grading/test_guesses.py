@@ -124,3 +124,100 @@ def test_the_wrong_option_earns_what_the_set_says(key):
         for scheme in (Scheme(), Scheme(choice=0.2))
     ]
     assert (marks[0]["d"], marks[1]["d"]) == (0, 0.2)
+
+
+TURNED = """
+    v: {is: velocity, value: 7.3, from: 1, to: 9, step: 0.1, unit: m/s}
+    m: {is: mass, value: 2.1, from: 1, to: 9, step: 0.1, unit: kg}
+    alpha: {is: angle, value: 45, from: 10, to: 45, step: 0.5, unit: deg}
+    r: {is: share, value: 0.5, from: 0.1, to: 0.9, step: 0.01}
+"""
+TURNED_STEPS = """
+    beta, p, P, w, eta, K, V = unknowns("beta p P w eta K V")
+    return derivation(
+        step(beta, "Twice.", law("A", "beta = 2*alpha"), answers="a"),
+        step(p, "As ever.", law("B", "p = m*v"), answers="b"),
+        step(P, "The other way.", law("C", "P = -2*m*v"), answers="c"),
+        step(w, "Turned round.", law("D", "w = -v"), answers="d"),
+        step(eta, "As given.", law("E", "eta = r"), answers="e"),
+        step(K, "Lost.", law("F", "K = -m*v^2/2"), answers="f"),
+        step(V, "A share.", law("G", "V = -r*v*m/(m + m*r)"), answers="g"),
+    )
+"""
+TURNED_PARTS = "a deg\nb kg*m/s\nc kg*m/s\nd m/s\ne 1\nf J\ng m/s"
+
+
+@pytest.fixture(scope="module")
+def turned(tmp_path_factory: pytest.TempPathFactory) -> Key:
+    """90°, 15.33 kg m/s, -30.66 kg m/s, -7.3 m/s, 0.5, -55.95 J, -2.433 m/s."""
+    folder = tmp_path_factory.mktemp("turned")
+    solution = solved(folder, TURNED, TURNED_PARTS, TURNED_STEPS, "v, m, alpha, r")
+    return make_key(solution, chosen(solution.problem, dict[str, Fraction]()))
+
+
+def of_angles(key: Key, degrees: str) -> Key:
+    return make_key(key.solution, chosen(key.solution.problem, {"alpha": Fraction(degrees)}))
+
+
+@pytest.mark.parametrize(
+    "typed", ["45°", "180°", "-90°", "45", "0.785 rad", "3.14 rad", "900°", "pi/4", "360 deg"]
+)
+def test_a_round_angle_is_a_guess(turned, typed):
+    found = judged(turned, a=typed)["a"]
+    assert isinstance(found, Wrong)
+    assert "factor" not in found.why
+    assert "sign" not in found.why
+
+
+@pytest.mark.parametrize("typed", ["-74.6°", "149.2°"])
+def test_an_angle_that_is_none_of_the_round_ones_may_be_off_by_a_factor_or_a_sign(turned, typed):
+    assert points(of_angles(turned, "37.3"), a=typed) == {"a": 0.5}
+
+
+@pytest.mark.parametrize("typed", ["0.25", "1", "-0.5", "1.0", "2", "25 %", "0.05"])
+def test_a_simple_share_is_a_guess(turned, typed):
+    assert points(turned, e=typed) == {"e": 0}
+
+
+@pytest.mark.parametrize(
+    "answers",
+    [
+        {"c": "30.66 kg m/s"},  # the answer of (b), twice
+        {"c": "-15.33 kg m/s"},
+        {"c": "15.33 kg m/s"},
+        {"b": "15.33 kg m/s", "c": "15.33 kg m/s"},
+        {"b": "15.33 kg m/s", "c": "61.3 kg m/s"},
+        {"b": "15.33 kg m/s", "c": "30.7 kg m/s"},
+        {"d": "7.3 m/s"},  # a given copied
+        {"a": "45°"},
+    ],
+)
+def test_the_answer_of_another_part_times_a_round_factor_earns_nothing(turned, answers):
+    (last,) = [*answers][-1:]
+    assert points(turned, **answers)[last] == 0
+
+
+@pytest.mark.parametrize(
+    "answers",
+    [
+        {"b": "30.66 kg m/s"},
+        {"b": "-15.33 kg m/s"},
+        {"f": "55.95 J"},
+        {"g": "2.433 m/s"},
+        {"g": "-4.867 m/s"},
+    ],
+)
+def test_a_slip_of_an_answer_that_stands_nowhere_else_earns_its_half(turned, answers):
+    ((part, _),) = answers.items()
+    assert points(turned, **answers) == {part: 0.5}
+
+
+def test_what_has_no_direction_has_none_to_check(turned):
+    energy, velocity = judged(turned, f="55.95 J")["f"], judged(turned, g="2.433 m/s")["g"]
+    assert "direction" not in energy.slip
+    assert "sign is wrong" in energy.slip
+    assert "which direction is positive" in velocity.slip
+
+
+def test_an_angle_of_one_figure_earns_nothing(turned):
+    assert points(turned, a="9°") == {"a": 0}

@@ -14,7 +14,8 @@ class Numbers:
     `missing` says, when a unit was needed and none was written, in which unit the values are taken: the part's. `misfit` is
     a sentence when the unit measures something else than was asked for. `in_words` are the components whose sign comes from words.
     `most` are the figures that may have been typed where that is more than is shown: a machine number loses zeros at its end.
-    `sizes` are the SI values of the units the numbers were written in (the part's own unit where there are none).
+    `sizes` are the SI values of the units the numbers were written in (the part's own unit where there are none), `zeros` where
+    these units begin (0 but for °C and °F; the part's own where there are none).
     `beside` are formulas of the givens on the left of the number, which must come to it: `m*v` of `m*v = 8.6`.
     `polar` are the length and the angle of a vector that was written so: its components have no figures of their own.
     """
@@ -29,6 +30,7 @@ class Numbers:
     sizes: tuple[float, ...] = ()
     polar: tuple[Numbers, Numbers] | None = None
     beside: tuple[Expr, ...] = ()
+    zeros: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from corollary.answers.expected import Values
 from corollary.messages import N_, catalogue
-from corollary.units.unit import ONE, Unit
+from corollary.units.unit import ONE, Dimension, Unit
 
 _ = catalogue(__name__)
 
@@ -22,6 +23,33 @@ CONSTANT_OF_FORMULA = N_(
 SIGN_AND_CONSTANT = N_("the sign and a constant factor are wrong")
 ROOT = N_("a constant factor is wrong: look at what stands under a root")
 SPEEDS = N_("km/h and m/s have been mixed.")
+ENERGY = Dimension.of("kg m^2 s^-2")
+DIRECTED = {
+    ENERGY,
+    *map(
+        Dimension.of,
+        (
+            "m",
+            "m s^-1",
+            "m s^-2",
+            "kg m s^-1",
+            "kg m s^-2",
+            "kg m^2 s^-1",
+            "s^-1",
+            "s^-2",
+            "A",
+            "kg m s^-3 A^-1",
+            "kg s^-2 A^-1",
+        ),
+    ),
+}
+"""What may have a direction along a line or about an axis; an energy has none, a torque has."""
+TORQUE = re.compile(r"N\W?m|m\W?N")
+MAGNITUDE = re.compile(
+    r"\b(?:speeds?|how (?:fast|large|big|great|strong|far|high|long|deep)|magnitude|size|distance|length|height|radius|frequency|rate"
+    r"|tempo|schnell\w*|betrag|abstand|länge|höhe|frequenz|fart|avstand|lengde|høyde|frekvens)\b",
+    re.IGNORECASE,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,16 +104,28 @@ RATIOS = (
 )
 
 
-def slips(values: Values, unit: Unit) -> Iterator[tuple[Values, str]]:
+def has_direction(unit: Unit, title: str = "") -> bool:
+    """True if a sign says which way: of a velocity or a force, not of an energy, a mass, a ratio, nor where the `title` asks for a
+    speed or a magnitude."""
+    if MAGNITUDE.search(title):
+        return False
+    if unit.dimension == ENERGY:
+        return TORQUE.search(unit.text) is not None
+    return unit.dimension in DIRECTED or (unit.dimension == ONE and unit.text in {"rad", "deg"})
+
+
+def slips(values: Values, unit: Unit, title: str = "") -> Iterator[tuple[Values, str]]:
     """What the values become by each slip that needs nothing but them, and what the student reads."""
     if any(values):
-        sign = (
-            _("The sign is wrong: check which direction is positive.")
-            if len(values) == 1
-            else _(
-                "Every component has the wrong sign: check which way the axes point, or what acts on what."
+        sign = _("The sign is wrong: ask what a positive and what a negative value would mean here.")
+        if has_direction(unit, title):
+            sign = (
+                _("The sign is wrong: check which direction is positive.")
+                if len(values) == 1
+                else _(
+                    "Every component has the wrong sign: check which way the axes point, or what acts on what."
+                )
             )
-        )
         yield tuple(-x for x in values), sign
     if len(values) > 1:
         for place, value in enumerate(values):

@@ -24,12 +24,15 @@ class FollowThrough:
 
     `misconceptions` and `slips` are the values that a known misconception, or a slip in what goes into the formulas, makes of
     it; with each the sentence that the student reads. None where the way is not the author's: then only the value itself counts.
+    `moved` is the value with each number of those answers moved by half of its last figure: whoever went on with more figures
+    than were written down comes to something between. None where nothing was rounded.
     """
 
     values: Values
     earlier: tuple[str, ...]
     misconceptions: Callable[[], Iterable[tuple[Values, str]]] | None = None
     slips: Callable[[], Iterable[tuple[Values, str]]] | None = None
+    moved: Callable[[], Iterable[Values]] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +43,8 @@ class Quantity:
     smaller than `uncertain` (absolute) has no sign of its own, for rounding moves it that far. `formulas` are in givens alone
     (None: the values come from a simulation), to be compared on `domain`; `givens` are the student's numbers. `routes` are the
     values by each way from the givens, `follow_through` those and the ones by earlier answers. `scales` are what
-    the tolerance of each entry of a table is relative to.
+    the tolerance of each entry of a table is relative to. `residue` says of each component that is zero how large (absolute) a
+    number may be that stands for it. `counted`: a whole number, which nobody rounds.
     """
 
     values: Values
@@ -54,6 +58,8 @@ class Quantity:
     routes: Callable[[], Iterable[FollowThrough]]
     follow_through: Callable[[], Iterable[FollowThrough]]
     scales: Values = ()
+    residue: Values = ()
+    counted: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -45,6 +45,7 @@ def rising(answer: Numbers) -> Numbers:
         figures=put(answer.figures),
         most=put(answer.most),
         sizes=put(answer.sizes),
+        zeros=put(answer.zeros),
         in_words=tuple(sorted(order.index(place) for place in answer.in_words)),
     )
 

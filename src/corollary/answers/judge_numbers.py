@@ -11,26 +11,43 @@ from itertools import combinations
 from corollary.answers.answer import Numbers
 from corollary.answers.common_errors import slips
 from corollary.answers.expected import FollowThrough, Quantity, Values
+from corollary.answers.guessing import are_round, is_angle, may_be_guessed
 from corollary.answers.question import Question
 from corollary.answers.remade import remade
-from corollary.answers.tolerance import NEAR, ROUNDING_NOISE, coarse, coarse_polar, same_signs, within
+from corollary.answers.tolerance import (
+    ENOUGH,
+    NEAR,
+    ROUNDING_NOISE,
+    coarse,
+    coarse_polar,
+    same_signs,
+    within,
+)
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.messages import catalogue
 from corollary.units.unit import Unit, called, show
 
 _ = catalogue(__name__)
 
+LARGE_COUNT = 1e5
+LITTLE_OFF = 0.05
+MOST_MOVED, LEAST_MOVED = (
+    0.2,
+    0.02,
+)  # of what follows, and of what is right: further off, no rounding is believed
+
 
 def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verdict:
     """What a good marker says of these numbers.
 
-    Temperatures are compared as they are written, in °C: how near 20 °C and 21 °C are is not asked of 293 K and 294 K.
+    Temperatures are compared as they are asked for, in °C: how near 20 °C and 21 °C are is not asked of 293 K and 294 K. They
+    are rounded as they are written: in whole kelvins 20 °C are 293 K.
     """
     if question.unit.offset:
         moved, scale = replace(question, unit=replace(question.unit, offset=Fraction(0))), question.unit
-        return judge_numbers(
-            replace(answer, values=_above(answer.values, scale)), _from_zero(wanted, scale), moved
-        )
+        zeros = answer.zeros or (float(scale.offset),) * len(answer.values)
+        above = replace(answer, values=_above(answer.values, scale), zeros=_above(zeros, scale))
+        return judge_numbers(above, _from_zero(wanted, scale), moved)
     if answer.in_words:
         return _in_words(answer, wanted, question)
     if answer.missing:
@@ -46,7 +63,12 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
     for way in ways:
         if _meets(answer, wanted, way.values):
             return Follows(way.earlier) if way.earlier else Right()
+    for way in {(way.values, way.earlier): way for way in ways if way.earlier}.values():
+        if _meets_unrounded(answer, wanted, way):
+            return Follows(way.earlier)
     few = _coarse(answer, wanted, question, wanted.values)
+    if few >= ENOUGH:
+        return Right()
     if few > 1:
         if not _fits_misconception(answer, wanted, question, ways):
             note = _("Right, but coarse: {figures} figures are few; give three.", figures=few)
@@ -54,7 +76,7 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
         return Slip(_("Rounded too far to tell: give three significant figures."), once=False)
     for way in ways:
         for value, sentence in way.misconceptions() if way.misconceptions else ():
-            if _meets(answer, wanted, value) and (any(value) or _is_zero(answer, wanted)):
+            if _meets(answer, wanted, value):
                 return Mistaken(sentence, way.earlier, nothing=not any(value))
     for way in ways:
         if way.earlier and _coarse(answer, wanted, question, way.values) > 1:
@@ -62,14 +84,19 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
     if few:  # one figure says hardly more than a guess
         return Slip(_("Rounded too far to tell: give three significant figures."), once=False, nothing=True)
     for way in _distinct(ways):
-        for value, sentence in slips(way.values, question.unit):
+        for value, sentence in slips(way.values, question.unit, question.title):
             if any(value) and _meets(answer, wanted, value):
                 factor = value[0] / way.values[0] if len(value) == 1 and way.values[0] else 1.0
-                guess = _guess(answer, question, value, way.values)
+                guess = _guess(answer, question, value, way.values, counted=wanted.counted)
+                if are_round(value, question.unit, counted=wanted.counted):
+                    continue  # of 45° it would be wrong to say that a factor of 90° is missing
                 return Slip(sentence, nothing=guess, factor=float(f"{factor:.3g}"))
         for value, sentence in way.slips() if way.slips else ():
             if any(value) and _meets(answer, wanted, value):
-                return Slip(sentence, nothing=_guess(answer, question, value, way.values))
+                return Slip(
+                    sentence,
+                    nothing=_guess(answer, question, value, way.values, counted=wanted.counted),
+                )
     return Wrong(_hint(answer, wanted, question))
 
 
@@ -83,15 +110,10 @@ def _from_zero(wanted: Quantity, unit: Unit) -> Quantity:
     return remade(wanted, lambda values: _above(values, unit))
 
 
-def _guess(answer: Numbers, question: Question, value: Values, target: Values) -> bool:
+def _guess(answer: Numbers, question: Question, value: Values, target: Values, *, counted: bool) -> bool:
     sizes: Sequence[float] = answer.sizes or (question.unit.si,) * len(answer.values)
-    return may_be_guessed([x / size for x, size in zip(answer.values, sizes, strict=True)], value, target)
-
-
-def may_be_guessed(typed: Sequence[float], value: Values, target: Values) -> bool:
-    """Whether a slip in more than a sign fits a number of one digit, such as 1 or 100: so does many another."""
-    digits = max(len(f"{abs(x):.9e}".partition("e")[0].replace(".", "").rstrip("0")) for x in typed)
-    return digits <= 1 and tuple(map(abs, value)) != tuple(map(abs, target))
+    typed = [x / size for x, size in zip(answer.values, sizes, strict=True)]
+    return may_be_guessed(typed, value, target, question.unit, counted=counted)
 
 
 def _in_words(answer: Numbers, wanted: Quantity, question: Question) -> Verdict:
@@ -127,15 +149,32 @@ def _misfit(why: str, verdict: Verdict) -> Verdict:
 
 
 def _meets(answer: Numbers, wanted: Quantity, target: Values) -> bool:
-    """Within the tolerance of the target's length, every component pointing the right way."""
+    """Within the tolerance of the target's length, every component pointing the right way; zero but for what calculating leaves."""
+    if not any(target):
+        if _is_zero(answer, wanted):
+            return True
+        if any(wanted.values):
+            return False
     return within(answer.values, target, wanted.tolerance, _length(target, wanted)) and same_signs(
         answer.values, target, wanted.uncertain
     )
 
 
+def _meets_unrounded(answer: Numbers, wanted: Quantity, way: FollowThrough) -> bool:
+    """Whether an answer lies where the earlier ones lead with the figures that were not written down."""
+    length = math.hypot(*way.values)
+    most = max(MOST_MOVED * length, LEAST_MOVED * wanted.scale)
+    near = wanted.tolerance * length
+    if way.moved is None or not within(answer.values, way.values, 0.0, 0.0, near + most):
+        return False
+    reach = sum(math.dist(moved, way.values) for moved in way.moved())
+    return within(answer.values, way.values, 0.0, 0.0, near + min(reach, most))
+
+
 def _is_zero(answer: Numbers, wanted: Quantity) -> bool:
     """Whether it is 0 but for the noise of a calculation: a small number is none."""
-    return math.hypot(*answer.values) <= ROUNDING_NOISE * wanted.scale
+    residue = ROUNDING_NOISE * wanted.scale if any(wanted.values) else max(wanted.residue, default=0.0)
+    return within(answer.values, (0.0,) * len(answer.values), 0.0, 0.0, residue)
 
 
 def _length(target: Values, wanted: Quantity) -> float:
@@ -152,10 +191,17 @@ def _coarse(answer: Numbers, wanted: Quantity, question: Question, target: Value
         return coarse_polar(answer.values, answer.polar, target, sizes[0], near)
     if not all(answer.figures):
         return 0
+    zeros: Sequence[float] = answer.zeros or (float(question.unit.offset),) * len(target)
     enough = near * _length(target, wanted) if len(target) > 1 else 0.0
     counts = (answer.most, answer.figures) if answer.most else (answer.figures,)
-    found = (coarse(answer.values, count, target, sizes, (enough,) * len(target)) for count in counts)
-    return next(filter(None, found), 0)
+    found = (coarse(answer.values, count, target, sizes, (enough,) * len(target), zeros) for count in counts)
+    few = next(filter(None, found), 0)
+    return few if not wanted.counted or (few >= ENOUGH and _rounded_by_all(target)) else 0
+
+
+def _rounded_by_all(counts: Values) -> bool:
+    """Whether whole numbers are so large that nobody writes out their digits."""
+    return all(abs(count) >= LARGE_COUNT for count in counts)
 
 
 def _fits_misconception(
@@ -180,14 +226,18 @@ def _distinct(ways: Iterable[FollowThrough]) -> Iterable[FollowThrough]:
 def _hint(answer: Numbers, wanted: Quantity, question: Question) -> str:
     """What may be said without giving the value away."""
     sort, unit = called(question.unit.dimension), show(question.unit)
+    if is_angle(question.unit):
+        sort = _("an angle")
     off_by_rounding = _("Close, but outside what rounding explains: carry four figures and round at the end.")
+    if wanted.counted:
+        off_by_rounding = _("Close, but this is counted, not measured: it is a whole number, and exact.")
     if len(answer.values) == 1 and wanted.values[0] and answer.values[0]:
         ratio = answer.values[0] / wanted.values[0]
         if abs(ratio) > 100 or abs(ratio) < 0.01:
             return _("The size cannot be right for {sort} here: look at powers of ten and units.", sort=sort)
-        if ratio < 0:
+        if ratio < 0 and abs(ratio + 1) > LITTLE_OFF:
             return _("Neither the sign nor the size fits.")
-        if abs(ratio - 1) < 0.05:
+        if abs(ratio - 1) < LITTLE_OFF:
             return off_by_rounding
     if len(answer.values) > 1:
         off = wanted.tolerance * wanted.scale

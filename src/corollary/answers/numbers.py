@@ -163,12 +163,21 @@ def from_reading(found: Reading, unit: Unit) -> Numbers:
     except OverflowError:
         value = math.inf if ratio > 0 else -math.inf
     size = (found.unit.si,) if found.unit is not None else ()
+    zero = (0.0 if unit.is_difference else float(found.unit.offset),) if found.unit is not None else ()
     missing = _in_parts_unit(found, unit) if found.fit == "unit missing" else ""
     misfit = found.why if found.fit == "wrong dimension" else ""
     polar = (from_reading(found.polar[0], unit), from_reading(found.polar[1], unit)) if found.polar else None
     figures = (sure(found.least, found.figures),)
     return Numbers(
-        (value,), figures, found.as_read, missing, misfit, sizes=size, polar=polar, beside=found.beside
+        (value,),
+        figures,
+        found.as_read,
+        missing,
+        misfit,
+        sizes=size,
+        polar=polar,
+        beside=found.beside,
+        zeros=zero,
     )
 
 

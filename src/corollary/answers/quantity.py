@@ -28,6 +28,7 @@ from corollary.answers.polar import length_and_angle
 from corollary.answers.preamble import answer_in
 from corollary.answers.question import Question
 from corollary.answers.spread import WIDEST, in_brackets, without_spread
+from corollary.answers.tolerance import same_value
 from corollary.answers.unit_meant import unit_meant
 from corollary.formula.ast import Expr
 from corollary.formula.by_hand import by_hand
@@ -39,7 +40,7 @@ from corollary.units.unit import ONE, PURE, Dimension, Unit, called, read_unit, 
 _ = catalogue(__name__)
 
 MOST_SIDES = 5
-NEAR = 0.05  # two sides of a chain are rounded each for itself, often to one figure
+RESIDUE = 1e-12  # in the unit typed: what a calculation leaves where the other side is 0
 ROUND = str.maketrans("[]{}", "()()")
 TABLE = re.compile(r"^\s*\|[^|]*\|[^|]+\|\s*$|\|\s*:?-{3,}", re.MULTILINE)  # of Markdown
 TWICE = re.compile(
@@ -205,11 +206,16 @@ def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | No
 
 def _agree(one: Reading, other: Reading) -> bool:
     """True if two sides are the same value; a bare number may stand for either unit."""
-    same = math.isclose(in_si(one), in_si(other), rel_tol=NEAR, abs_tol=1e-12)
+    same = same_value(in_si(one), in_si(other)) or _are_zero(one, other)
     bare = (one.unit is None and one.fit == "unit missing") or (
         other.unit is None and other.fit == "unit missing"
     )
-    return same or (bare and math.isclose(one.value, other.value, rel_tol=NEAR, abs_tol=1e-12))
+    return same or (bare and same_value(float(one.value), float(other.value)))
+
+
+def _are_zero(one: Reading, other: Reading) -> bool:
+    """True if one of the two is 0 and the other what a calculation leaves of it."""
+    return not (one.value and other.value) and max(abs(one.value), abs(other.value)) <= RESIDUE
 
 
 def _alone(text: str, normalized: str, expected: Unit | None) -> Reading | ParseError:

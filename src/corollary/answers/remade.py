@@ -16,9 +16,14 @@ def remade(wanted: Quantity, by: Callable[[Values], Values]) -> Quantity:
     def moved(several: WithSentences) -> WithSentences:
         return several and (lambda: [(by(values), sentence) for values, sentence in several()])
 
+    def rounded(several: Callable[[], Iterable[Values]] | None) -> Callable[[], Iterable[Values]] | None:
+        return several and (lambda: map(by, several()))
+
     def followed(ways: Callable[[], Iterable[FollowThrough]]) -> Callable[[], Iterable[FollowThrough]]:
         return lambda: (
-            FollowThrough(by(way.values), way.earlier, moved(way.misconceptions), moved(way.slips))
+            FollowThrough(
+                by(way.values), way.earlier, moved(way.misconceptions), moved(way.slips), rounded(way.moved)
+            )
             for way in ways()
         )
 

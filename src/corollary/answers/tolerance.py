@@ -9,13 +9,26 @@ from corollary.answers.answer import Numbers
 
 ROUNDING_NOISE = 1e-9  # of the scale: what is left where large doubles cancel
 NEAR = 0.1  # of the tolerance: a component so near the target is not rounded too far
+SAME_VALUE = 0.05  # relative: two sides of an equation, each rounded for itself, often to one figure
+EDGE = 1e-12  # of the scale: the doubles of a number that lies exactly on the edge of a tolerance are off by less
+ENOUGH = 3  # figures that a book asks for
 
 
-def within(values: Sequence[float], target: Sequence[float], tolerance: float, scale: float) -> bool:
-    """Whether the distance of two vectors (or numbers) is within the tolerance of the scale."""
+def within(
+    values: Sequence[float], target: Sequence[float], tolerance: float, scale: float, residue: float = 0.0
+) -> bool:
+    """True if the distance of two vectors (or numbers) is at most the tolerance of the scale, or the `residue` (absolute).
+
+    The edge itself is inside, on both sides, whatever the doubles make of it.
+    """
     if len(values) != len(target) or not all(map(math.isfinite, values)):
         return False
-    return math.dist(values, target) <= tolerance * scale
+    return math.dist(values, target) <= max((tolerance + EDGE) * scale, residue)
+
+
+def same_value(value: float, reference: float, residue: float = 0.0) -> bool:
+    """True if two sides of an equation are one value, each rounded for itself; the share is of the reference."""
+    return within((value,), (reference,), SAME_VALUE, abs(reference), residue)
 
 
 def same_signs(values: Sequence[float], target: Sequence[float], uncertain: Sequence[float]) -> bool:
@@ -29,19 +42,26 @@ def coarse(
     target: Sequence[float],
     sizes: Sequence[float],
     near: Sequence[float],
+    zeros: Sequence[float] = (),
 ) -> int:
     """The fewest figures written, when the target rounded to the figures written gives just these values; else 0.
 
-    `sizes` are the SI values of the units in which the numbers were written, for figures are counted there. A component that
-    is `near` the target (in SI) has figures enough.
+    `sizes` are the SI values of the units in which the numbers were written, `zeros` (absolute, none: 0) where these begin, for
+    figures are counted there: 293 K are 20 °C in whole kelvins. A component that is `near` the target (in SI) has figures enough.
     """
     few: list[int] = []
-    for value, count, wanted, size, enough in zip(values, figures, target, sizes, near, strict=True):
+    several = zip(values, figures, target, sizes, near, zeros or (0.0,) * len(values), strict=True)
+    for value, count, wanted, size, enough, zero in several:
         if abs(value - wanted) <= enough:
             continue
-        if value == 0 or not count or abs(value - wanted) > 0.5 * last_place(value, count, size) * (1 + 1e-9):
+        written = value - zero
+        if written == 0 or not count:
             return 0
-        few.append(count)
+        place = last_place(written, count, size)
+        if abs(value - wanted) > 0.5 * place * (1 + 1e-9):
+            return 0
+        # 290 K in two figures are 20 °C to ten degrees: one figure, if any
+        few.append(count if count >= ENOUGH or not zero or abs(value) >= 10 * place else 1)
     return min(few or figures)
 
 

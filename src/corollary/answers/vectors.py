@@ -192,7 +192,8 @@ def _together(found: list[Read]) -> Read:
         missing = next((each.missing for each in numbers if each.missing and each.values[0] != 0), "")
         sizes = tuple(size for each in numbers for size in each.sizes)
         misfit = next((each.misfit for each in numbers if each.misfit), "")
-        sizes = sizes if len(sizes) == len(values) else ()
+        zeros = tuple(zero for each in numbers for zero in each.zeros)
+        sizes, zeros = (sizes, zeros) if len(sizes) == len(values) else ((), ())
         most = tuple(figure for each in numbers for figure in each.most or each.figures)
         return Numbers(
             values,
@@ -204,6 +205,7 @@ def _together(found: list[Read]) -> Read:
             most if most != figures else (),
             sizes,
             numbers[0].polar,
+            zeros=zeros,
         )
     trees = [_tree(each) for each in found]
     return Formulas(tuple(trees), as_read)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice, product
@@ -89,11 +90,13 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
                 None,
                 f"part {part}: honest rounding to three figures already moves the answer by {truth.noise:.1%}",
             )
-        if truth.scale == 0:
+        if truth.scale == 0 and not truth.counted:
             return None, f"part {part}: the answer is zero, and nothing says compared with what"
     if same is not None:
         part, one, other = same
         return None, f"part {part}: options {one} and {other} print alike"
+    for part, number in not_whole(key):
+        return None, f"part {part}: {number} is no whole number, and a count is asked for"
     for part, number in implausible(key):
         return None, f"part {part}: {number} is not plausible"
     for part, text in collisions(key):
@@ -112,6 +115,15 @@ def options_alike(variant: Variant, parts: Iterable[Part] | None = None) -> Iter
         if found := alike(texts) if answer_type(part.answer_type).shows_letters else spelled_alike(texts):
             one, other = found
             yield part.id, one.upper(), other.upper()
+
+
+def not_whole(key: Key) -> Iterable[tuple[str, str]]:
+    """Answers to parts that ask for a count, and come to none."""
+    for part in key.variant.problem.parts:
+        if part.answer_type == "count" and part.id in key.truths:
+            (value,) = key.truths[part.id].values
+            if not math.isclose(value, round(value), rel_tol=SAME):
+                yield part.id, f"{value:.6g}"
 
 
 def implausible(key: Key) -> Iterable[tuple[str, str]]:

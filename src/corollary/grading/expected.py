@@ -25,7 +25,7 @@ from corollary.derive.solution import AppliedLaw
 from corollary.derive.statements import Explain
 from corollary.formula.ast import Name, Relation
 from corollary.formula.ball import RationalPi, Undefined, certified
-from corollary.grading.follow_through import consequences
+from corollary.grading.follow_through import AsWritten, consequences
 from corollary.grading.free_body import free_body
 from corollary.grading.key import Key, Truth, named
 from corollary.grading.misconceptions import slips_of_input, wrong_formulas, wrong_values
@@ -44,13 +44,15 @@ def expected_of(
     part: Part,
     earlier: Mapping[str, Values] | None = None,
     runs: Mapping[str, Callable[[], Verdict]] | None = None,
+    written: Mapping[str, AsWritten] | None = None,
 ) -> Expected:
-    """What is right for a part; `earlier` are the student's own values of earlier parts, in SI, `runs` what was run for it."""
+    """What is right for a part; `earlier` are the student's own values of earlier parts, in SI, and how they were `written`; `runs`
+    what was run for it."""
     truth = key.truths.get(part.id)
     letter = key.choices.get(part.id)
     return Expected(
         question_in(replace(key.variant, problem=replace(key.variant.problem, renamed=())), part),
-        None if truth is None else _quantity(key, truth, earlier or {}),
+        None if truth is None else _quantity(key, truth, earlier or {}, written),
         None if letter is None else RightOption(letter, _overlooked(key, part)),
         _requirement(key, part.id) if part.id in key.solution.examples else None,
         _claim(key, part.id) if part.id in key.solution.proofs else None,
@@ -68,7 +70,9 @@ def _overlooked(key: Key, part: Part) -> Mapping[str, str]:
     return {part.letter_asked(letter): text for letter, text in mistakes.items()}
 
 
-def _quantity(key: Key, truth: Truth, earlier: Mapping[str, Values]) -> Quantity:
+def _quantity(
+    key: Key, truth: Truth, earlier: Mapping[str, Values], written: Mapping[str, AsWritten] | None
+) -> Quantity:
     return Quantity(
         truth.values,
         truth.scale,
@@ -78,22 +82,27 @@ def _quantity(key: Key, truth: Truth, earlier: Mapping[str, Values]) -> Quantity
         key.find(truth).in_givens,
         partial(domain, key.variant.problem),
         partial(wrong_formulas, key, truth.place),
-        partial(_follow_through, key, truth, {}),
-        partial(_follow_through, key, truth, earlier),
+        partial(_follow_through, key, truth, {}, None),
+        partial(_follow_through, key, truth, earlier, written),
         truth.scales,
+        truth.residue,
+        truth.counted,
     )
 
 
-def _follow_through(key: Key, truth: Truth, earlier: Mapping[str, Values]) -> Iterator[FollowThrough]:
-    for each in consequences(key, truth, earlier):
+def _follow_through(
+    key: Key, truth: Truth, earlier: Mapping[str, Values], written: Mapping[str, AsWritten] | None
+) -> Iterator[FollowThrough]:
+    for each in consequences(key, truth, earlier, written):
         if each.what_if is None:
-            yield FollowThrough(each.values, each.earlier)
+            yield FollowThrough(each.values, each.earlier, moved=each.moved)
         else:
             yield FollowThrough(
                 each.values,
                 each.earlier,
                 partial(wrong_values, key, truth, each.what_if),
                 partial(slips_of_input, key, truth, each.what_if),
+                each.moved,
             )
 
 

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field
+from functools import partial
 from itertools import combinations
 
 from corollary.answers.evaluation import BITS, as_exact, balls, numbers
 from corollary.answers.expected import Values
-from corollary.derive.solution import ClosedForms, Rule, Solution
+from corollary.derive.solution import ClosedForms, Rule, Solution, Way
 from corollary.formula.ast import Name
 from corollary.formula.ball import Undefined, precision_of
 from corollary.grading.key import Key, Truth
-from corollary.grading.replay import WhatIf, ancestors, replay
+from corollary.grading.replay import WhatIf, ancestors, replay, without_noise
 
 MOST = 6  # wrong earlier answers combined: 64 choices of them, each by every route
 ABSURD = 1050.0  # times too large or too small: a power of ten is still followed, beyond it there is no physics left to follow
 COPIED = 1e-9
+CANCELLED = 1e-13  # of the part: what two doubles leave of each other
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,44 +28,64 @@ class Consequence:
     """A value of a part, and which wrong earlier answers it follows from.
 
     `what_if` is the replay that gave it, for mistakes to be made in it; None where it was found along a way of its own.
+    `moved` are the values with each number of the student's moved by half of its last figure.
     """
 
     values: Values
     earlier: tuple[str, ...]
     what_if: WhatIf | None
+    moved: Callable[[], Iterator[Values]]
+
+
+@dataclass(frozen=True, slots=True)
+class AsWritten:
+    """What is known of an earlier answer beside its values: half of the last figure of each (SI; 0: not rounded), and whether its
+    error has a name, so that it was worked out: a known misconception, a slip, or what follows from another."""
+
+    halves: Values = ()
+    named: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class FromStudent:
-    """The student's answers to other parts, of which later ones may be made: right ones, and wrong ones of some use."""
+    """The student's answers to other parts, of which later ones may be made: right ones, and wrong ones of some use; and how
+    they were written."""
 
     right: dict[str, Values]
     wrong: dict[str, Values]
+    written: Mapping[str, AsWritten] = field(default_factory=dict[str, AsWritten])
 
 
-def from_student(key: Key, answers: Mapping[str, Values]) -> FromStudent:
-    """What may be followed. A degenerate answer is not, for everything would follow from it."""
+def from_student(
+    key: Key, answers: Mapping[str, Values], written: Mapping[str, AsWritten] | None = None
+) -> FromStudent:
+    """What may be followed. A degenerate answer is not, for everything would follow from it, unless its error has a name."""
     right: dict[str, Values] = {}
     wrong: dict[str, Values] = {}
+    notes = written or {}
     for part, values in answers.items():
         truth = key.truths.get(part)
         if truth is None or len(values) != len(truth.values):
             continue
         if truth.is_met_by(values):
             right[part] = values
-        elif not degenerate(values, truth):
+        elif not degenerate(values, truth, named=part in notes and notes[part].named):
             wrong[part] = values
-    return FromStudent(right, wrong)
+    return FromStudent(right, wrong, notes)
 
 
-def consequences(key: Key, truth: Truth, answers: Mapping[str, Values]) -> Iterator[Consequence]:
+def consequences(
+    key: Key, truth: Truth, answers: Mapping[str, Values], written: Mapping[str, AsWritten] | None = None
+) -> Iterator[Consequence]:
     """The part's value for the student's own earlier answers: first for none of them, then for every combination.
 
-    First along the author's order, then along the other ways of the derivation. Left out is what makes the part nothing.
+    First along the author's order, then along the other ways of the derivation. What makes the part nothing, which everybody can
+    write down, is left out unless every error before it has a name.
     """
-    given = from_student(key, answers)
+    given = from_student(key, answers, written)
+    named = {part for part, note in given.written.items() if note.named}
     for each in (*_in_order(key, truth, given), *_by_paths(key, truth, given)):
-        if any(each.values) or not any(truth.values):
+        if any(each.values) or not any(truth.values) or (each.earlier and named.issuperset(each.earlier)):
             yield each
 
 
@@ -82,23 +105,39 @@ def same_as(solution: Solution, place: int) -> str:
 
 def _in_order(key: Key, truth: Truth, given: FromStudent) -> Iterator[Consequence]:
     """Replayed as the author found it. Right answers are held along with the others, so that rounding them is never a fault."""
-    solution, givens = key.solution, key.variant.exact
+    solution = key.solution
     above = ancestors(solution, truth.place)
-    places = {part: key.truths[part].place for part in (*given.right, *given.wrong)}
-    right = {places[part]: values for part, values in given.right.items() if places[part] in above}
-    wrong = [part for part in given.wrong if places[part] in above]
+    right = {part: values for part, values in given.right.items() if key.truths[part].place in above}
+    wrong = [part for part in given.wrong if key.truths[part].place in above]
     rules: list[Rule | None] = [None, *(route.rule for route in solution.unknowns[truth.place].routes)]
     for count in range(min(len(wrong), MOST) + 1):
         for parts in combinations(wrong[-MOST:], count):
-            held = {places[part]: given.wrong[part] for part in parts}
+            held = {part: given.wrong[part] for part in parts}
             for also in ({}, right) if right else ({},):
                 for rule in rules:
-                    what_if = WhatIf(also | held, {truth.place: rule} if rule is not None else {})
+                    own = also | held
+                    work = partial(_replayed, key, truth, rule)
                     try:
-                        values = replay(solution, givens, what_if, truth.place)[truth.place]
+                        values = work(own)
                     except Undefined:
                         continue
-                    yield Consequence(values, parts, what_if)
+                    what_if = _what_if(key, truth, rule, own)
+                    yield Consequence(
+                        values, parts, what_if, partial(_moved, work, own, given.written, values)
+                    )
+
+
+def _what_if(key: Key, truth: Truth, rule: Rule | None, held: Mapping[str, Values]) -> WhatIf:
+    places = {key.truths[part].place: values for part, values in held.items()}
+    return WhatIf(places, {truth.place: rule} if rule is not None else {})
+
+
+def _replayed(key: Key, truth: Truth, rule: Rule | None, held: Mapping[str, Values]) -> Values:
+    """Raises Undefined."""
+    what_if, givens = _what_if(key, truth, rule, held), key.variant.exact
+    if not held:
+        return replay(key.solution, givens, what_if, truth.place)[truth.place]
+    return without_noise(key.solution, givens, what_if, truth.place, truth.scale)
 
 
 def _by_paths(key: Key, truth: Truth, given: FromStudent) -> Iterator[Consequence]:
@@ -110,26 +149,61 @@ def _by_paths(key: Key, truth: Truth, given: FromStudent) -> Iterator[Consequenc
         wrong = tuple(part for part in path.earlier if part in given.wrong)
         if not wrong or not all(part in known for part in path.earlier):
             continue
-        own = {
-            name: as_exact(value)
-            for part in path.earlier
-            for name, value in zip(
-                key.solution.unknowns[key.truths[part].place].names, known[part], strict=True
-            )
-        }
+        own = {part: known[part] for part in path.earlier}
+        work = partial(_along, key, truth, path)
         try:
-            with precision_of(BITS):
-                values = numbers(path.trees, balls(key.variant.exact | own))
+            values = work(own)
         except Undefined:
             continue
-        yield Consequence(values, wrong, None)
+        yield Consequence(values, wrong, None, partial(_moved, work, own, given.written, values))
 
 
-def degenerate(values: Values, truth: Truth) -> bool:
-    """Whether a wrong answer is of no use further on: not finite, zero where the truth is not, or of an absurd size."""
+def _along(key: Key, truth: Truth, path: Way, own: Mapping[str, Values]) -> Values:
+    """Raises Undefined."""
+    letters = {
+        name: as_exact(value)
+        for part, values in own.items()
+        for name, value in zip(key.solution.unknowns[key.truths[part].place].names, values, strict=True)
+    }
+    with precision_of(BITS):
+        values = numbers(path.trees, balls(key.variant.exact | letters))
+    return tuple(0.0 if abs(value) <= CANCELLED * truth.scale else value for value in values)
+
+
+def _moved(
+    work: Callable[[Mapping[str, Values]], Values],
+    own: Mapping[str, Values],
+    written: Mapping[str, AsWritten],
+    values: Values,
+) -> Iterator[Values]:
+    """What comes of each number moved by half of its last figure, to the side where it makes more of a difference."""
+    for part, numbers_written in own.items():
+        halves = written[part].halves if part in written else ()
+        for place, half in enumerate(halves):
+            if not half:
+                continue
+            found = [values]
+            for off in (half, -half):
+                moved = (
+                    *numbers_written[:place],
+                    numbers_written[place] + off,
+                    *numbers_written[place + 1 :],
+                )
+                with suppress(Undefined):
+                    found.append(work({**own, part: moved}))
+            yield max(found, key=lambda each: math.dist(each, values))
+
+
+def degenerate(values: Values, truth: Truth, *, named: bool = False) -> bool:
+    """Whether a wrong answer is of no use further on: not finite, zero where the truth is not, or of an absurd size.
+
+    An error that has a `name` may make it of any size: who multiplies by milliseconds instead of dividing is off by a million.
+    """
     if not all(map(math.isfinite, values)):
         return True
     size = math.hypot(*values)
+    if named:
+        return not size
     return bool(truth.scale) and not truth.scale / ABSURD <= size <= truth.scale * ABSURD
 
 

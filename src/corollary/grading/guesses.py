@@ -1,20 +1,24 @@
-"""What earns nothing though it fits something: one number typed nearly everywhere, and a wrong answer written down again."""
+"""Guessing patterns that earn no credit: one number typed nearly everywhere, a wrong answer copied, another part's answer times a
+round factor."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from corollary.answers.answer import Numbers
 from corollary.answers.expected import Values
-from corollary.answers.verdict import Follows, Mistaken, Right, Unmarked, Unread, Verdict, Wrong
+from corollary.answers.tolerance import within
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.grading.follow_through import copied
+from corollary.grading.key import Key, Truth
 from corollary.messages import catalogue
 from corollary.problem.part import Part
 
 _ = catalogue(__name__)
 
+ROUND = (1.0, 2.0, 0.5, 4.0, 0.25, *(10.0**power for power in (1, 2, 3, 4, 6, -1, -2, -3, -4, -6)))
 SAME = 1e-9  # a number typed twice, and read in two units
 
 
@@ -32,6 +36,53 @@ def own_work(verdict: Verdict, values: Values | None, earlier: Mapping[str, Valu
             return replace(verdict, nothing=True)
         case _:
             return verdict
+
+
+def guessed(
+    verdict: Verdict, values: Values | None, key: Key, part: Part, earlier: Mapping[str, Values]
+) -> Verdict:
+    """A factor or a sign is nothing to be paid for where it is found without this part: where the answer of a part asked before
+    is this one but for a round factor, and something like it was typed; where a given was copied, or an own answer."""
+    if not isinstance(verdict, Slip) or verdict.nothing or not verdict.once or values is None:
+        return verdict
+    truth = key.truths[part.id]
+    if truth.is_met_by(values):  # in another unit
+        return verdict
+    found = any(len(values) == len(each) and copied(values, each) for each in earlier.values())
+    found = found or any(
+        _related(values, (given,), (1.0,), truth.tolerance) for given in _givens(key, part, truth)
+    )
+    for other in _asked_before(key, part) if not found else ():
+        theirs = key.truths[other.id].values
+        if other.unit.dimension == part.unit.dimension and _related(truth.values, theirs, ROUND, SAME):
+            typed = (theirs, earlier.get(other.id, theirs))
+            found = found or any(_related(values, each, ROUND, truth.tolerance) for each in typed)
+    return replace(verdict, nothing=True) if found else verdict
+
+
+def _givens(key: Key, part: Part, truth: Truth) -> Iterator[float]:
+    """The givens of the part's dimension that are its answer but for a round factor."""
+    for given in key.variant.problem.givens:
+        if not given.words and given.unit.dimension == part.unit.dimension:
+            value = key.variant.si[given.symbol]
+            if _related(truth.values, (value,), ROUND, SAME):
+                yield value
+
+
+def _asked_before(key: Key, part: Part) -> Iterator[Part]:
+    for each in key.variant.problem.parts:
+        if each.id == part.id:
+            return
+        if each.id in key.truths:
+            yield each
+
+
+def _related(values: Values, others: Values, factors: Sequence[float], tolerance: float) -> bool:
+    """Whether values are others times one of the factors, whatever the sign."""
+    if len(values) != len(others) or not any(others):
+        return False
+    scaled = ([sign * factor * other for other in others] for factor in factors for sign in (1.0, -1.0))
+    return any(within(values, each, tolerance, math.hypot(*each)) for each in scaled)
 
 
 def one_number(answer: Numbers, part: Part) -> float:

@@ -14,13 +14,15 @@ from corollary.answers.judge_formulas import values_of
 from corollary.answers.letters import in_letters
 from corollary.answers.questions import question_in
 from corollary.answers.registry import BUILT_IN, answer_type, judging
-from corollary.answers.verdict import Follows, Right, Slip, Unmarked, Unread, Verdict
+from corollary.answers.tolerance import last_place, same_value
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict
 from corollary.formula.text import text as formula_text
 from corollary.formula.value import Nothing, Value
 from corollary.grading.expected import expected_of
-from corollary.grading.follow_through import same_as
-from corollary.grading.guesses import for_nothing, one_number, own_work, repeated
+from corollary.grading.follow_through import AsWritten, same_as
+from corollary.grading.guesses import for_nothing, guessed, one_number, own_work, repeated
 from corollary.grading.key import Key
+from corollary.grading.rounding import LEAST
 from corollary.guard import Failure, guarded
 from corollary.messages import catalogue
 from corollary.problem.part import Part
@@ -66,9 +68,10 @@ def judge(
 
 @dataclass(frozen=True, slots=True)
 class _SoFar:
-    """What came of the parts before: their values, the slips met, and the one number that was typed."""
+    """What came of the parts before: their values and how they were written, the slips met, and the one number that was typed."""
 
     values: dict[str, Values] = field(default_factory=dict[str, Values])
+    written: dict[str, AsWritten] = field(default_factory=dict[str, AsWritten])
     slips: set[tuple[str, float]] = field(default_factory=set[tuple[str, float]])
     typed: dict[str, float] = field(default_factory=dict[str, float])
 
@@ -81,7 +84,7 @@ def _of_part(
     so_far: _SoFar,
 ) -> tuple[tuple[Verdict, ...], str]:
     """The verdicts of one part, and how its answer was read."""
-    expected = expected_of(key, part, so_far.values, on_runs())
+    expected = expected_of(key, part, so_far.values, on_runs(), so_far.written)
     try:
         answer = read(part, value, expected, key.variant)
         verdicts = tuple(verdict_on(name, answer, expected) for name in part.answer_types)
@@ -94,12 +97,41 @@ def _of_part(
     values = values_in(answer, expected)
     again = same_as(key.solution, key.truths[part.id].place) if part.id in key.truths else ""
     verdicts = tuple(own_work(verdict, values, so_far.values, again) for verdict in verdicts)
+    if part.id in key.truths:
+        verdicts = tuple(guessed(verdict, values, key, part, so_far.values) for verdict in verdicts)
+    so_far.written[part.id] = AsWritten(_halves(answer, part), any(map(_has_name, verdicts)))
     verdicts = tuple(_once(verdict, so_far.slips) for verdict in verdicts)
     if isinstance(answer, Numbers):
         so_far.typed[part.id] = one_number(answer, part)
     if values is not None:
         so_far.values[part.id] = values
     return verdicts, answer.as_read
+
+
+def _halves(answer: Answer, part: Part) -> Values:
+    """Half of the last figure of each number, in SI; 0 where it was not rounded. A number of one figure or two says less than it
+    seems to: 1.8 may be 1.80."""
+    if not isinstance(answer, Numbers) or not all(map(math.isfinite, answer.values)):
+        return ()
+    count = len(answer.values)
+    sizes = answer.sizes or (part.unit.si,) * count
+    zeros = answer.zeros or (float(part.unit.offset),) * count
+    written = [value - zero for value, zero in zip(answer.values, zeros, strict=True)]
+    return tuple(
+        min(0.5 * last_place(value, figures, size), LEAST * abs(value)) if value and figures else 0.0
+        for value, figures, size in zip(written, answer.figures, sizes, strict=True)
+    )
+
+
+def _has_name(verdict: Verdict) -> bool:
+    """True of an error that was worked out, be it a misconception, a slip, or what follows from another."""
+    match verdict:
+        case Mistaken(nothing=nothing) | Follows(nothing=nothing):
+            return not nothing
+        case Slip(once=once):
+            return once
+        case _:
+            return False
 
 
 def _on_runs(
@@ -156,7 +188,9 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
         case Numbers(values=(value,), beside=beside) if beside and expected.quantity is not None:
             for tree in beside:
                 found = values_of((tree,), expected.quantity.givens())
-                if found is not None and not math.isclose(found[0], value, rel_tol=0.05, abs_tol=1e-12):
+                if found is not None and not same_value(
+                    value, found[0], max(expected.quantity.residue, default=0.0)
+                ):
                     why = _(
                         "{formula} does not come to {answer}; write the answer alone",
                         formula=formula_text(tree),

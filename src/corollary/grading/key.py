@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from corollary.answers.evaluation import BITS, as_exact, finite_double, number
 from corollary.answers.expected import Values
@@ -12,7 +12,9 @@ from corollary.answers.tolerance import within
 from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown
 from corollary.formula.ast import Relation, names
 from corollary.formula.ball import Ball, RationalPi, Undefined, certified, evaluate, holds, precision_of
+from corollary.grading.counts import is_counted
 from corollary.grading.replay import compute, simulated
+from corollary.grading.residue import residue_of
 from corollary.grading.rounding import LEAST, MOST, Noise, noise_of
 from corollary.problem.part import Part
 from corollary.problem.variant import Variant
@@ -20,6 +22,7 @@ from corollary.problem.variant import Variant
 MARGIN = 1.25  # beyond the largest of a few dozen random roundings there are rarer ones
 MAGNIFIED = 1024.0  # how much further than rounding does settings are moved to see what rounding does
 LEAST_ROUNDING = 1e-12  # relative: of what cannot be looked at closer
+COUNTED = 1e-9  # relative: two whole numbers are further apart, and the doubles of one nearer together
 TINY = 1e-9  # of the length: a component so small is a remainder of the arithmetic
 
 
@@ -31,7 +34,8 @@ class Truth:
     `noise` is how far rounding the answers of whole steps moves it, relative as the tolerance: what decides whether the numbers
     may be drawn. `uncertain` is how far rounding moves each component (absolute): a smaller component has no sign of its own.
     `scales` are those of each entry of a table, which are numbers of their own: then `scale` is the largest of them (0 where one is),
-    and `tolerance` and `noise` those of the entry that may be off most.
+    and `tolerance` and `noise` those of the entry that may be off most. `residue` says of each component that is zero how large
+    (absolute) a number may be that stands for it. `counted`: a whole number, which nobody rounds.
     """
 
     place: int
@@ -43,15 +47,18 @@ class Truth:
     noise: float
     uncertain: Values
     scales: Values = ()
+    residue: Values = ()
+    counted: bool = False
 
     def is_met_by(self, values: Values, more: float = 0.0) -> bool:
         """Whether values are within the tolerance, and so much `more`; of a table, whether every entry is."""
         tolerance = self.tolerance + more
         if not self.scales:
-            return within(values, self.values, tolerance, self.scale)
+            return within(values, self.values, tolerance, self.scale, max(self.residue, default=0.0))
+        residue = self.residue or (0.0,) * len(self.values)
         return len(values) == len(self.values) and all(
-            within((value,), (target,), tolerance, scale)
-            for value, target, scale in zip(values, self.values, self.scales, strict=True)
+            within((value,), (target,), tolerance, scale, left)
+            for value, target, scale, left in zip(values, self.values, self.scales, residue, strict=True)
         )
 
     @property
@@ -112,28 +119,68 @@ def make_key(solution: Solution, variant: Variant) -> Key:
     known = givens | named(solution, values)
     parts = {part.id: part for part in variant.problem.parts}
     for place, find in enumerate(solution.unknowns):
-        if find.part in parts and parts[find.part].rows:
-            truths[find.part] = table_truth(place, stated[place], noise[place], parts[find.part], find, known)
-        elif find.part:
-            proven = stated[place].certified
-            # Of 20 °C one per cent is 0.2 K. A sheet from before a correction need not have every part of today's solution.
-            zero = float(parts[find.part].unit.offset) if find.part in parts else 0.0
-            scale = scale_of(find, tuple(value - zero for value in values[place]), known)
-            error = max(stated[place].errors) / scale if scale else 0.0
-            off = MARGIN * noise[place].distance / scale if scale else 0.0
-            uncertain = tuple(MARGIN * each + TINY * scale for each in noise[place].components)
-            by_steps = MARGIN * noise[place].by_steps / scale if scale else 0.0
-            own = parts[find.part].tolerance if find.part in parts else 0.0
-            tolerance = max(own, min(MOST, max(LEAST, off + error)))
-            truths[find.part] = Truth(
-                place, values[place], proven, error, scale, tolerance, by_steps, uncertain
-            )
+        part = parts.get(find.part)
+        if not find.part:
+            continue
+        if part is not None and part.rows:
+            truth = table_truth(place, stated[place], noise[place], part, find, known)
+        else:
+            truth = _truth(place, stated[place], noise[place], part, find, known)
+        truths[find.part] = (
+            truth if part is None else _zeros_and_counts(truth, stated[place], part, find, solution, known)
+        )
     choices = {
         part: parts[part].letter_asked(option_that_holds(truth.options, givens, part))
         for part, truth in solution.choices.items()
         if part in parts
     }
     return Key(solution, variant, tuple(values), truths, choices)
+
+
+def _truth(
+    place: int,
+    stated: Answered,
+    noise: Noise,
+    part: Part | None,
+    find: Unknown,
+    known: Mapping[str, RationalPi],
+) -> Truth:
+    """All components together. A sheet from before a correction need not have every part of today's solution."""
+    # Of 20 °C one per cent is 0.2 K.
+    zero = float(part.unit.offset) if part is not None else 0.0
+    above = tuple(value - zero for value in stated.values)
+    # what a scene gives in the place of zero is none of its digits
+    left = all(abs(x) <= error for x, error in zip(above, stated.errors, strict=True))
+    scale = scale_of(find, (0.0,) * len(above) if left else above, known)
+    error = max(stated.errors) / scale if scale else 0.0
+    off = MARGIN * noise.distance / scale if scale else 0.0
+    uncertain = tuple(MARGIN * each + TINY * scale for each in noise.components)
+    by_steps = MARGIN * noise.by_steps / scale if scale else 0.0
+    own = part.tolerance if part is not None else 0.0
+    tolerance = max(own, min(MOST, max(LEAST, off + error)))
+    return Truth(place, stated.values, stated.certified, error, scale, tolerance, by_steps, uncertain)
+
+
+def _zeros_and_counts(
+    truth: Truth,
+    stated: Answered,
+    part: Part,
+    find: Unknown,
+    solution: Solution,
+    known: Mapping[str, RationalPi],
+) -> Truth:
+    """The truth with what stands for its zeros, and with no tolerance where it is a whole number."""
+    zeros = [
+        abs(value - float(unit.offset)) <= error
+        for value, unit, error in zip(stated.values, part.units, stated.errors, strict=True)
+    ]
+    if any(zeros):
+        residue = residue_of(solution.problem, find, part.units, known)
+        residue = tuple(each if zero else 0.0 for each, zero in zip(residue, zeros, strict=True))
+        truth = replace(truth, residue=residue if truth.scales or all(zeros) else ())
+    if not part.tolerance and is_counted(solution, truth.place, part, known):
+        truth = replace(truth, counted=True, tolerance=COUNTED, noise=0.0)
+    return truth
 
 
 def table_truth(

@@ -36,7 +36,11 @@ SHARING = (
     f"What chance makes as likely as {RARE:.0%} is only counted."
 )
 # A class whose right answers hardly differ would make every hit look certain; they are taken to span a factor of two.
-WHOLE = ("value", "vector")  # answer types that are one thing: a vector is as near as its length says
+WHOLE = (
+    "value",
+    "count",
+    "vector",
+)  # answer types that are one thing: a vector is as near as its length says
 LEAST_SPAN = math.log(2)
 
 

@@ -11,17 +11,18 @@ from corollary.answers.answer import Letter
 from corollary.answers.choice.judging import judge as judge_choice
 from corollary.answers.common_errors import RATIOS, slips
 from corollary.answers.expected import Expected, Quantity, Values
-from corollary.answers.judge_numbers import may_be_guessed
+from corollary.answers.guessing import may_be_guessed
 from corollary.answers.tolerance import ROUNDING_NOISE, same_signs
 from corollary.answers.verdict import Mistaken, Right, Slip, Verdict, word
 from corollary.formula.ast import Expr, Number, Product
 from corollary.grading.expected import expected_of
+from corollary.grading.guesses import guessed
 from corollary.grading.key import Key
 from corollary.grading.points import share
 from corollary.grading.solutions import Solutions
 from corollary.grading.verdict_text import sentence
 from corollary.notebook.worksheet import Exercise, Prompt, exercise
-from corollary.problem.part import Option
+from corollary.problem.part import Option, Part
 from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import Variant
 from corollary.units.unit import Unit
@@ -160,8 +161,8 @@ def _part(key: Key, prompt: Prompt, scheme: Scheme) -> PartAsked:
     if len(part.answer_types) > 1:
         return NotAsked(prompt, NOT_ASKED["code"])
     match part.answer_type:
-        case "value" | "vector" if expected.quantity is not None:
-            marks = tuple(_distinct(_marks(expected.quantity, part.unit, scheme)))
+        case "value" | "count" | "vector" if expected.quantity is not None:
+            marks = tuple(_distinct(_marks(key, part, expected.quantity, scheme)))
             return NumbersAsked(prompt, part.components or ("",), marks)
         case "choice" if expected.option is not None:
             return ChoiceAsked(prompt, tuple(_options(expected, prompt, scheme)))
@@ -200,17 +201,18 @@ def _formulas(wanted: Quantity, right: tuple[Expr, ...], scheme: Scheme) -> Iter
             yield credit(trees, Slip(f"{tells[0].upper()}{tells[1:]}."))
 
 
-def _marks(wanted: Quantity, unit: Unit, scheme: Scheme) -> Iterator[Credit]:
+def _marks(key: Key, part: Part, wanted: Quantity, scheme: Scheme) -> Iterator[Credit]:
     """In the order in which `judge_numbers` tries them, of an answer given alone, with figures enough."""
+    unit = part.unit
     zero = float(unit.offset)
     moved = replace(unit, offset=Fraction(0))  # temperatures are compared as they are written, in °C
 
     def mark(values: Values, verdict: Verdict, reach: float | None = None) -> Credit:
         above = [value - zero for value in values]
-        length = math.hypot(*above) or wanted.scale
+        length, residue = math.hypot(*above) or wanted.scale, max(wanted.residue, default=0.0)
         return Credit(
             tuple(value / unit.si for value in above),
-            (wanted.tolerance * length if reach is None else reach) / unit.si,
+            (max(wanted.tolerance * length, residue) if reach is None else reach) / unit.si,
             tuple(abs(x) > small for x, small in zip(above, wanted.uncertain, strict=True)),
             share(verdict, scheme),
             word(verdict),
@@ -228,11 +230,14 @@ def _marks(wanted: Quantity, unit: Unit, scheme: Scheme) -> Iterator[Credit]:
                 yield mark(values, verdict, ROUNDING_NOISE * wanted.scale if nothing else None)
     for way in ways:
         above = tuple(value - zero for value in way.values)
-        general = [(tuple(x + zero for x in values), text) for values, text in slips(above, moved)]
+        general = [
+            (tuple(x + zero for x in values), text) for values, text in slips(above, moved, part.title)
+        ]
         for values, text in [*general, *(way.slips() if way.slips else ())]:
             if any(values) and all(map(math.isfinite, values)):
                 typed = [(value - zero) / unit.si for value in values]
-                yield mark(values, Slip(text, nothing=may_be_guessed(typed, values, way.values)))
+                guess = may_be_guessed(typed, values, way.values, unit, counted=wanted.counted)
+                yield mark(values, guessed(Slip(text, nothing=guess), values, key, part, {}))
 
 
 def _distinct(marks: Iterator[Credit]) -> Iterator[Credit]:

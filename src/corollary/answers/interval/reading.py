@@ -98,7 +98,12 @@ def _around(middle: str, half: str, unit: str, question: Question) -> Answer:
     d -= float(question.unit.offset)  # how far a temperature may be off has no zero
     as_read = f"{found.as_read} ± {off.as_read}"
     return replace(
-        found, values=(x - d, x + d), figures=2 * found.figures, sizes=2 * found.sizes, as_read=as_read
+        found,
+        values=(x - d, x + d),
+        figures=2 * found.figures,
+        sizes=2 * found.sizes,
+        zeros=2 * found.zeros,
+        as_read=as_read,
     )
 
 

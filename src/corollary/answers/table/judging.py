@@ -40,6 +40,7 @@ def entry(wanted: Quantity, place: int) -> Quantity:
         remade(wanted, lambda values: (values[place],)),
         scale=wanted.scales[place] if wanted.scales else wanted.scale,
         scales=(),
+        residue=wanted.residue[place : place + 1],
         uncertain=(wanted.uncertain[place],),
         formulas=None if wanted.formulas is None else (wanted.formulas[place],),
         wrong_formulas=lambda: (

@@ -1,0 +1,1 @@
+"""One quantity: a number with a unit, or the formula for it."""

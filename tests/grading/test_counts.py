@@ -1,0 +1,122 @@
+"""A count is exact, and has its noun: what is worked out of whole numbers is not rounded."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from corollary.answers.verdict import Right, Slip
+from corollary.grading.assign import admitted
+from corollary.grading.from_json import from_json
+from corollary.grading.judge import judge
+from corollary.grading.key import Key, make_key
+from corollary.problem.diagnostic import Malformed
+from corollary.problem.variant import chosen
+
+from .small import solved
+
+GIVENS = """
+    n: {is: number of balls, value: 7, from: 2, to: 9, step: 1}
+    k: {is: number of boxes, value: 3, from: 2, to: 9, step: 1}
+    v: {is: speed, value: 4, from: 1, to: 9, step: 0.5, unit: m/s}
+    w: {is: speed after, value: 2, from: 1, to: 9, step: 0.5, unit: m/s}
+    x: {is: ratio, value: 2.5, from: 1, to: 9, step: 0.5}
+"""
+PARTS = """\
+a 1
+b 1
+c 1
+d 1
+#e .count
+f 1
+g 1"""
+STEPS = """
+    p, q, half, ratio, hits, scaled, large = unknowns("p q half ratio hits scaled large")
+    return derivation(
+        step(p, "All.", law("A", "p = n"), answers="a"),
+        step(q, "Pairs.", law("B", "q = p*(p - 1)/2"), answers="b"),
+        step(half, "Halves.", law("C", "half = n/2 + k/2"), answers="c"),
+        step(ratio, "A ratio.", law("D", "ratio = v/w"), answers="d"),
+        step(hits, "How often.", law("E", "hits = 6*v/w"), answers="e"),
+        step(scaled, "Times a ratio.", law("F", "scaled = n*x*2"), answers="f"),
+        step(large, "Many.", law("G", "large = n^7"), answers="g"),
+    )
+"""
+
+
+@pytest.fixture(scope="module")
+def solution(tmp_path_factory: pytest.TempPathFactory):
+    return solved(tmp_path_factory.mktemp("count"), GIVENS, PARTS, STEPS, "n, k, v, w, x")
+
+
+@pytest.fixture(scope="module")
+def balls(solution) -> Key:
+    """7 balls, 21 pairs, 5, a ratio of 2, 12 hits, 35, and 823543."""
+    return make_key(solution, chosen(solution.problem, dict[str, Fraction]()))
+
+
+def is_right(key: Key, part: str, answer: object) -> bool:
+    return isinstance(judge(key, {part: from_json(answer)})[part][0][0], Right)
+
+
+@pytest.mark.parametrize(
+    ("part", "answers"),
+    [
+        ("a", ["7", 7, 7.0, "7.0", "7 balls", "seven", "n", "7 bounces"]),
+        ("b", ["21", "21 atoms", 21.000000000001, "2.1e1"]),
+        ("c", ["5", "5.01"]),  # a half for other numbers: no count
+        ("d", ["2", "2.0", "2.004"]),  # whole by chance
+        ("e", ["12", "12 bounces", "12 hits", "12 marbles", "12 (red marbles)", 12.000000000001]),
+        ("f", ["35", "35.1"]),
+        ("g", ["823543", "8.24e5", "823 543"]),
+    ],
+)
+def test_what_is_right(balls, part, answers):
+    assert [each for each in answers if not is_right(balls, part, each)] == []
+
+
+@pytest.mark.parametrize(
+    ("part", "answers"),
+    [
+        ("a", ["6.97", "7.03", "8", "8.1 balls", "6", 7.01, "7.1"]),
+        ("b", ["21.1", "20.9", "22", "20", "2e1"]),
+        ("e", ["12.05", "11.95", "13", "11 bounces", "12.1 bounces"]),
+        ("g", ["823542", "823544", "8.2e5", "8.23e5"]),
+    ],
+)
+def test_what_is_not(balls, part, answers):
+    assert [each for each in answers if is_right(balls, part, each)] == []
+
+
+def test_twice_a_count_is_a_guess(balls):
+    found = judge(balls, {"a": from_json("14"), "b": from_json("42")})
+    assert not any(isinstance(found[part][0][0], Right | Slip) for part in "ab")
+
+
+def test_numbers_for_which_a_count_is_none_are_not_dealt(solution):
+    thirds = chosen(solution.problem, {"v": Fraction(4), "w": Fraction(9)})
+    assert "(e)" in admitted(solution, thirds)[1] or "part e" in admitted(solution, thirds)[1]
+
+
+@pytest.mark.parametrize(
+    ("heading", "said"),
+    [
+        ('#a .count unit="m"', "has no unit"),
+        ('#a .count tolerance="5 %" because="it is estimated"', "a count is exact"),
+    ],
+)
+def test_what_a_count_cannot_have_is_said(tmp_path, heading, said):
+    step = 'p = unknown("p")\nreturn derivation(step(p, "All.", law("A", "p = n"), answers="a"))'
+    with pytest.raises(Malformed, match=said):
+        solved(tmp_path, GIVENS, heading, step, "n")
+
+
+@given(st.integers(2, 9), st.integers(-50, 50).filter(bool))
+def test_only_the_whole_number_itself_is_right(solution, n, off):
+    own = make_key(solution, chosen(solution.problem, {"n": Fraction(n)}))
+    assert is_right(own, "b", n * (n - 1) // 2)
+    assert not is_right(own, "b", n * (n - 1) // 2 + off)
+    assert not is_right(own, "b", n * (n - 1) / 2 + off / 100)
