@@ -1,4 +1,4 @@
-"""What somebody writes by hand and compiles with numba: RK4 on a row of balls, its right side for scipy, a loop over many pairs."""
+"""What somebody writes by hand and compiles with numba: RK4 on a row of balls, its right side for scipy."""
 
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
@@ -79,36 +79,3 @@ def row_by_dop853(y: Array, until: float, tolerance: float, k: float, q: float, 
         fired = next(i for i, times in enumerate(found.t_events) if len(times))
         on[fired] = not on[fired]
     return y
-
-
-@njit(cache=True)
-def pairs_by_rk4(offsets: Array, steps: int, k: float, mass: float, reach: float, speed: float) -> Array:
-    """The relative velocities (n, 2) after the contact (q = 3/2, no damping) of n pairs that meet at different offsets (of the second seen from the first).
-
-    The relative motion in the plane, in so many steps of the classical method over a contact time; the last ends on the reach by Newton's
-    method.
-    """
-    found = np.empty((len(offsets), 2))
-    for i in range(len(offsets)):
-        b = offsets[i]
-        inward = speed * math.sqrt(1.0 - (b / reach) ** 2)
-        h = 2.94 * (1.25 * mass / k) ** 0.4 * inward**-0.2 / steps
-        x, y, u, v = -math.sqrt((reach - b) * (reach + b)), -b, speed, 0.0
-        for _ in range(40 * steps):
-            x0, y0, u0, v0 = x, y, u, v
-            sx = sy = su = sv = 0.0
-            ax, ay, au, av = x, y, u, v
-            for stage in range(4):
-                r = math.sqrt(ax * ax + ay * ay)
-                depth = reach - r
-                push = k * depth * math.sqrt(depth) / (mass * r) if depth > 0.0 else 0.0
-                du, dv, weight = push * ax, push * ay, 1.0 if stage in (0, 3) else 2.0
-                sx, sy, su, sv = sx + weight * au, sy + weight * av, su + weight * du, sv + weight * dv
-                part = h if stage == 2 else 0.5 * h
-                ax, ay, au, av = x0 + part * au, y0 + part * av, u0 + part * du, v0 + part * dv
-            x, y = x0 + h / 6.0 * sx, y0 + h / 6.0 * sy
-            u, v = u0 + h / 6.0 * su, v0 + h / 6.0 * sv
-            if x * x + y * y > reach * reach and x * u + y * v > 0.0:
-                break
-        found[i, 0], found[i, 1] = u, v
-    return found

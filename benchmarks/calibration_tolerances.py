@@ -3,7 +3,7 @@
     python benchmarks/calibration_tolerances.py [--runs 2000] [--seconds 60]
 
 writes benchmarks/results/calibration_tolerances.md. What calibration.py holds against references at one tolerance serves as the reference
-here, with its own error allowed for; rows of very unequal masses and ensembles are there, too. With numba, else it takes hours.
+here, with its own error allowed for; rows of very unequal masses are there, too. With numba, else it takes hours.
 """
 
 from __future__ import annotations
@@ -18,15 +18,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 if __name__ == "__main__":
     sys.path.insert(0, str(Path(__file__).parent))
 
 from calibration import FAMILIES
 
 from corollary.scenes.catalogue import run
-from corollary.scenes.ensemble import ensemble
 from corollary.scenes.integrate import both_ways
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, components
 
@@ -101,32 +98,6 @@ def drawn(
     return lambda rng: single(scene, settings(rng), 10.0 ** rng.uniform(-11.0, -2.0), second_way)
 
 
-def variants(name: str, runs: int) -> Count:
-    """Of an ensemble."""
-    count, chance = Count(), np.random.default_rng(1)
-    for tolerance in (1e-3, 1e-5, 1e-7, 1e-9, 1e-11):
-        n = runs // 5
-        given: dict[str, Any] = {"q": 1.5, "k": 10.0 ** chance.uniform(4.0, 7.0, n)}
-        if name == "cradle":
-            given |= {
-                "N": 4,
-                "masses": 10.0 ** chance.uniform(-1.0, 1.0, (n, 4)),
-                "gaps": 10.0 ** chance.uniform(-6.0, -3.0, (n, 3)),
-            }
-        else:
-            given |= {"dy": chance.uniform(0.0, 0.0399, n), "mA": 10.0 ** chance.uniform(-2.0, 0.0, n)}
-        rough, fine = ensemble(name, given, tolerance), ensemble(name, given, 1e-13)
-        for i in np.flatnonzero((rough.outcomes == fine.outcomes) & (fine.outcomes == "released")):
-            count.runs += 1
-            for what, values in rough.observed.items():
-                rows = (values[i], rough.errors[what][i], fine.observed[what][i], fine.errors[what][i])
-                said = what == "duration" and bool(rough.undecided[i])
-                count.add(
-                    (each, said) for each in ratio(*(tuple(np.atleast_1d(row).tolist()) for row in rows))
-                )
-    return count
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--runs", type=int, default=2000)
@@ -136,10 +107,6 @@ def main() -> None:
     draws = {family.name: drawn(family.scene, family.draw, family.second_way) for family in FAMILIES}
     draws["rows of two to six, masses 1e±3"] = drawn("cradle", unequal, False)
     counts = {name: counted(draw, name, asked.runs, asked.seconds) for name, draw in draws.items()}
-    counts |= {
-        f"an ensemble of {what}": variants(name, asked.runs)
-        for name, what in (("cradle", "rows of four"), ("spheres", "pairs"))
-    }
     lines = [
         "# Stated errors at coarse tolerances",
         "",

@@ -1,4 +1,4 @@
-"""How fast a scene is answered beside what is written by hand: rows of 3, 5 and 200 balls, and 10 000 pairs in one call.
+"""How fast a scene is answered beside what is written by hand: rows of 3, 5 and 200 balls.
 
     python benchmarks/scenes.py --speed
 
@@ -15,15 +15,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from by_hand import pairs_by_rk4, row_by_dop853, row_by_rk4
+from by_hand import row_by_dop853, row_by_rk4
 
 from corollary.scenes.catalogue import run
 from corollary.scenes.collision import collide
-from corollary.scenes.ensemble import ensemble
 
 RESULTS = Path(__file__).parent / "results" / "scenes_speed.md"
 MASS, STIFFNESS, Q = 0.1, 1e4, 1.5
-PAIRS = 10_000
 Timer = Callable[..., float]
 
 
@@ -85,30 +83,6 @@ def row(
     return [f"N = {count}", f"{1e3 * base:.3g}", f"{tolerance:g}", *shown, f"{rk4 or ''}"]
 
 
-def pairs(wanted: float, timed: Timer) -> tuple[float, float, int]:
-    """Seconds of the ensemble and of the loop by hand, and its steps a contact."""
-    os.environ["COROLLARY_COMPILED"] = "1"
-    reach, speed = 0.04, 1.0
-    offsets = np.linspace(-0.9, 0.9, PAIRS) * reach
-    given = {"eta": 0.0, "dx": 0.08, "dy": offsets, "k": 2e4, "R": 0.02, "mA": MASS, "mB": MASS, "q": Q}
-    truth = ensemble("spheres", given, 1e-12).observed["velocities"]
-    change = np.array([1.0, 0.0]) - (truth[:, :2] - truth[:, 2:])
-
-    def by_hand(steps: int) -> float:
-        after = pairs_by_rk4(offsets[::50], steps, 2e4, 0.5 * MASS, reach, speed)
-        return float(np.abs(np.array([1.0, 0.0]) - after - change[::50]).max())
-
-    steps = kept((25 * 2**i for i in range(10)), by_hand, wanted)
-    tolerance = kept(
-        (1e-5, 1e-6, 1e-7, 1e-8, 1e-9),
-        lambda t: float(np.abs(ensemble("spheres", given, t).observed["velocities"] - truth).max()),
-        wanted,
-    )
-    many = timed(lambda: ensemble("spheres", given, tolerance), 0.3)
-    by_loop = timed(lambda: pairs_by_rk4(offsets, steps, 2e4, 0.5 * MASS, reach, speed), 0.3)
-    return many, by_loop, steps
-
-
 def report(timed: Timer, lists: Callable[[int, float, Any], float]) -> str:
     """The table in Markdown."""
     lines = [
@@ -123,12 +97,5 @@ def report(timed: Timer, lists: Callable[[int, float, Any], float]) -> str:
     for count in (3, 5, 200):
         lines.append("| " + " | ".join(row(count, 1e-9, timed, lists if count < 200 else None)) + " |")
         print(lines[-1], flush=True)
-    many, by_loop, steps = pairs(1e-8, timed)
-    lines += [
-        "",
-        f"{PAIRS} pairs of spheres to 1e-8 in one call of `corollary.ensemble`, errors included: {1e3 * many:.3g} ms, "
-        f"{many / by_loop:.2g} times a compiled loop of RK4 with {steps} steps a contact and no errors ({1e3 * by_loop:.3g} ms).",
-        "",
-    ]
-    print(lines[-2])
+    lines.append("")
     return "\n".join(lines)

@@ -9,7 +9,7 @@ from corollary.version import __version__
 
 if TYPE_CHECKING:
     from corollary.answers.verdict import Verdict
-    from corollary.api import UnknownPart, ensemble, judge, key, load_bank, play, solve
+    from corollary.api import UnknownPart, judge, key, load_bank, play, solve
     from corollary.derive.load import NotDerivable
     from corollary.derive.solution import Solution
     from corollary.formula.ball import Undefined
@@ -18,13 +18,11 @@ if TYPE_CHECKING:
     from corollary.problem.bank import Bank, UnknownCode
     from corollary.problem.problem import Problem
     from corollary.problem.variant import OutOfRange
-    from corollary.scenes.ensemble import Ensemble
     from corollary.scenes.run import BadSetting, GuardFailed, Run
 
 __all__ = [
     "BadSetting",
     "Bank",
-    "Ensemble",
     "Grade",
     "GuardFailed",
     "Key",
@@ -39,7 +37,6 @@ __all__ = [
     "UnknownPart",
     "Verdict",
     "__version__",
-    "ensemble",
     "judge",
     "key",
     "load_bank",
@@ -49,7 +46,7 @@ __all__ = [
 
 # Where each name lives. Loaded when it is first asked for, so that `import corollary` costs nothing.
 _MODULES = {
-    "corollary.api": ("UnknownPart", "ensemble", "judge", "key", "load_bank", "play", "solve"),
+    "corollary.api": ("UnknownPart", "judge", "key", "load_bank", "play", "solve"),
     "corollary.answers.verdict": ("Verdict",),
     "corollary.derive.load": ("NotDerivable",),
     "corollary.derive.solution": ("Solution",),
@@ -59,7 +56,6 @@ _MODULES = {
     "corollary.problem.bank": ("Bank", "UnknownCode"),
     "corollary.problem.problem": ("Problem",),
     "corollary.problem.variant": ("OutOfRange",),
-    "corollary.scenes.ensemble": ("Ensemble",),
     "corollary.scenes.run": ("BadSetting", "GuardFailed", "Run"),
 }
 _HOME = {name: module for module, names in _MODULES.items() for name in names}

@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from corollary.formula.errors import ParseError, sentence
 from corollary.problem.bank import Bank, bank_of, open_bank
@@ -20,7 +20,6 @@ if TYPE_CHECKING:  # each function loads the rooms it needs: a key needs no scen
     from corollary.derive.solution import Solution
     from corollary.grading.grade import Grade
     from corollary.grading.key import Key
-    from corollary.scenes.ensemble import Ensemble
     from corollary.scenes.run import Run
 
 GivenValue = str | float | Fraction
@@ -111,17 +110,6 @@ def play(
         return condition.play(scene, settings, tolerance, proven=proven)
     with with_bar(f"scene {scene}"):
         return run(scene, settings, tolerance, proven=proven)
-
-
-def ensemble(scene: str, *, tolerance: float = 1e-9, **settings: Any) -> Ensemble:
-    """Many variants of `cradle` or `spheres` in one call, each with its own errors; settings are in SI, arrays have a line for each.
-
-    `tolerance` is relative to each variant's natural scale. With numba it is one compiled loop. Raises BadSetting; a variant that
-    cannot be followed is `refused` in its place.
-    """
-    from corollary.scenes.ensemble import ensemble as many
-
-    return many(scene, settings, tolerance)
 
 
 def variant(problem: Problem, given: Mapping[str, GivenValue]) -> Variant:

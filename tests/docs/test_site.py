@@ -119,7 +119,7 @@ def test_nothing_is_asked_of_another_machine(site: Path, pages: dict[Path, Addre
 
 def test_the_reference_has_the_laws(site: Path):
     text = (site / "reference.html").read_text(encoding="utf-8")
-    for name in ("load_bank", "change_of_momentum", "restitution", "ensemble"):
+    for name in ("load_bank", "change_of_momentum", "restitution"):
         assert name in text, name
 
 

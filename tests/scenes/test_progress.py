@@ -16,7 +16,6 @@ from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
-from corollary.scenes.integrate import lines
 from corollary.scenes.plan import play
 from corollary.scenes.progress import part, reported_to, tell, with_bar
 from corollary.scenes.run import Observable as O
@@ -39,8 +38,6 @@ def bounces():
         (lambda: api.play("cradle", N=3, q=1.5003), 10),
         (lambda: api.play("cradle", N=3, q=1.5004, conditions=False), 3),
         (lambda: with_conditions(run("cradle", {"N": 3, "q": 1.5002}), 1e-9), 10),
-        (lambda: api.ensemble("cradle", N=3, q=1.5, v0=[1.0, 2.0, 3.0]), 6),
-        (lambda: api.ensemble("spheres", dy=[0.01] * 300), 200),
     ],
 )
 def test_a_listener_is_told_ever_more(played, least):
@@ -117,21 +114,6 @@ def test_a_scene_played_in_python_brings_its_bar_along(monkeypatch):
     screen = looked_at(monkeypatch)
     play(pushed_until(screen.getvalue), {O.VELOCITIES})
     assert "scene pushed" in screen.getvalue()
-
-
-def test_an_ensemble_brings_its_bar_along(monkeypatch):
-    screen = looked_at(monkeypatch)
-    waits = iter(range(3000))
-
-    def look(share):
-        """Until something is to be seen; for half a minute in all."""
-        while not screen.getvalue() and next(waits, None) is not None:
-            time.sleep(0.01)
-        tell(share)
-
-    monkeypatch.setattr(lines, "tell", look)
-    api.ensemble("spheres", dy=[0.01, 0.02])
-    assert "ensemble spheres" in screen.getvalue()
 
 
 def test_who_listens_sees_no_bar(monkeypatch):

@@ -44,11 +44,6 @@ def as_written(module: str) -> ModuleType:
     return importlib.import_module(f"{__package__}.{module}")
 
 
-def available() -> bool:
-    """Whether many kernels in one call may be compiled: numba is there, and nobody forbids it."""
-    return os.environ.get(ASKED_BY) != "0" and importlib.util.find_spec("numba") is not None
-
-
 def compiled(module: str) -> ModuleType:
     """A module of kernels, for numba. What is compiled is kept in the user's cache folder until any of the files changes.
 

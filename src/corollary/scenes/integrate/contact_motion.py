@@ -184,18 +184,3 @@ def follow(y, groups, tolerance, most, room):
         gone += length
         h = min(h * factor(size), longest * max(1.0, gone / LATE))
     return TOO_LONG, top_overlap, top_force, spent
-
-
-@kernel
-def follow_each(y, groups, seen, smoothing, tolerance, most, room):
-    """Many contacts, one after another; a line of `y` and of `groups` (without s, `smoothing`) for each.
-
-    Of each, `seen` becomes the largest overlap, the largest force, and how it ended. Gives the evaluations of all.
-    """
-    spent = 0
-    for i in range(len(y)):
-        g, found = groups[i], seen[i]
-        pure = (g[0], smoothing, g[1], g[2], g[3], g[4])
-        found[2], found[0], found[1], cost = follow(y[i], pure, tolerance, most, room)
-        spent += cost
-    return spent

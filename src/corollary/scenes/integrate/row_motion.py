@@ -262,22 +262,3 @@ def collide(y, touching, row, deepest, hardest, tolerance, most, room):
     before = conserved(y, row)
     seen = follow(y, touching, row, deepest, hardest, tolerance, most, room)
     return seen, before, conserved(y, row)
-
-
-@kernel
-def follow_each(
-    y, touching, inverse, falls, k, q, eta, powers, deepest, hardest, seen, tolerance, most, room
-):
-    """Many rows, one after another: `y`, `inverse`, `k`, `deepest`, `hardest` have a line for each, the others serve all.
-
-    Of each, `seen` becomes how long it touched, how much that hangs on slow touches, how often it did, and how it ended. Gives the
-    evaluations of all.
-    """
-    spent = 0
-    for i in range(len(y)):
-        row, found = (inverse[i], falls, k[i], q, eta, powers), seen[i]
-        found[3], began, ended, found[2], cost, found[1] = follow(
-            y[i], touching, row, deepest[i], hardest[i], tolerance, most, room
-        )
-        found[0], spent = max(ended - began, 0.0), spent + cost
-    return spent
