@@ -1,1 +1,1 @@
-"""One quantity: a number with a unit, or the formula for it."""
+"""A count: a whole number without a unit."""
