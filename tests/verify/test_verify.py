@@ -330,3 +330,39 @@ def test_an_observation_that_a_find_rests_on(verified):
             step(F, "Per time.", mean_force(F, p, t), answers="b"))
         """)
     met(checked, "scene kick does not observe colour; it observes", 5, "cart.md")
+
+
+CANCELS = """\
+---
+code: X1.1
+title: A cart
+given:
+  m: {is: mass, value: 0.5, from: 0.2, to: 0.9, step: 0.1, unit: kg}
+  v: {is: first speed, value: 34.1, from: 34.1, to: 35.1, step: 0.1, unit: m/s}
+  t: {is: second speed, value: 36, from: 36, to: 37, step: 0.1, unit: m/s}
+require:
+  - m > 0
+---
+A cart of {{m}} at {{v}}, and then at {{t}}.
+
+## Momentum {#a .value unit="kg*m/s"TOLERANCE}
+How much momentum is won?
+"""
+DIFFERENCE = """\
+return derivation(
+    step(F, "Mass times velocity.", law("Before", "F = m*v")),
+    step(p, "The difference.", law("Difference", "p = m*t - F"), answers="a"),
+)
+"""
+
+
+def test_rounding_by_more_than_two_per_cent_names_the_tolerance(verified):
+    cancelling = verified(DIFFERENCE, problem=CANCELS.replace("TOLERANCE", ""))
+    (complaint,) = cancelling.complaints
+    assert "honest rounding" in complaint
+    assert 'give the part a tolerance="5 %"' in complaint
+
+
+def test_numbers_that_rounding_moves_less_than_the_part_forgives_are_dealt(verified):
+    own = ' tolerance="20 %" because="two terms nearly cancel"'
+    assert verified(DIFFERENCE, problem=CANCELS.replace("TOLERANCE", own)).complaints == ()
