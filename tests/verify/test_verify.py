@@ -184,6 +184,7 @@ def test_a_printed_value_that_cannot_be_read(verified, good):
         ("2*m*v", "the derivation gives m*v"),
         ("1.6 kg m/s", "they differ by one in the last figure"),
         ("1.7 kg m/s", "the derivation gives 1.5 kg m/s"),
+        ("1.5000004 kg m/s", "the derivation gives 1.5 kg m/s"),
         ("2 kg m/s", ""),  # 1.5 to one figure
     ],
 )
@@ -191,6 +192,13 @@ def test_what_may_be_printed(verified, good, text, said):
     checked = verified(good.replace("1.5 kg m/s", text))
     assert bool(checked.complaints) == bool(said), checked.complaints
     assert all(said in each and each.startswith("cart.py:12: (1.1) prints") for each in checked.complaints)
+
+
+def test_what_differs_in_the_eighth_figure_is_written_so(verified, good, problem):
+    """A complaint that shows one number twice helps nobody."""
+    fine = problem.replace("value: 0.5, from: 0.2", "value: 0.50000013, from: 0.2")
+    (complaint,) = verified(good.replace("1.5 kg m/s", "1.5000000 kg m/s"), problem=fine).complaints
+    assert "the derivation gives 1.5000004 kg m/s" in complaint
 
 
 @pytest.mark.parametrize(("printed", "holds"), [("150 kg m/s", True), ("154 kg m/s", False)])
