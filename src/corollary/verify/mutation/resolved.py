@@ -16,7 +16,8 @@ from corollary.laws.law import Law
 from corollary.verify.mutation.numeric_roots import FAILURES, SAME, NumericEquations, Values
 from corollary.verify.mutation.spots import BentEquations, BentValues, Contradicted, FindInDoubles
 
-SOLVING_S = 10.0  # seconds for one step with one bend: what takes longer is left undecided
+SOLVING_S, SOLVING_WALL_S = 10.0, 30.0
+"""Seconds of the processor, and on the wall, for one step with one bend: what takes longer is left undecided."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +102,7 @@ class Resolver:
         self, found: FindInDoubles, entry: Step, laws: Sequence[Law], steps: BentSteps
     ) -> RootFormulas:
         try:
-            with time_limit(SOLVING_S):
+            with time_limit(SOLVING_S, SOLVING_WALL_S):
                 roots = self.again.roots(found.place, laws, steps.functions)
         except TooLong as error:
             raise NotAvailable("it takes too long to solve") from error
@@ -135,7 +136,7 @@ class Resolver:
     def _written_out(self, law: Law, functions: Functions) -> list[NumericEquations]:
         """The equations of a law at some moments; none where it cannot be written so."""
         try:
-            with time_limit(SOLVING_S):
+            with time_limit(SOLVING_S, SOLVING_WALL_S):
                 return [NumericEquations([each], ()) for each in self.again.written_out(law, functions)]
         except (ValueError, NotAvailable, TooLong):  # NoTree among them
             return []
