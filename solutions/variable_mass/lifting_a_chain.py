@@ -59,7 +59,7 @@ def derive(m, L, v0, y, g):
             "p",
             "Newton's second law for what hangs, with the momentum that new links need.",
             law(
-                "Rocket equation",
+                "Newton's second law for a changing mass",
                 "F - mu*g = v_0*R",
                 source="(12.127)",
                 holds="the hanging part does not accelerate",

@@ -38,8 +38,8 @@ def said(part, scale, truth, *typed):
         (50.0, "does not follow from the numbers"),
         (0.02, "does not follow from the numbers"),
         (-3.0, "Neither the sign nor the size"),
-        (1.03, "Close, but outside what rounding explains"),
-        (0.97, "Close, but outside what rounding explains"),
+        (1.03, "Close, but rounding does not explain it"),
+        (0.97, "Close, but rounding does not explain it"),
         (1.07, "does not follow from the numbers"),
     ],
 )

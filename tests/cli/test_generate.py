@@ -11,7 +11,6 @@ import sys
 from pathlib import Path
 
 import pytest
-from tests import forked
 
 from corollary.cli.main import main
 from corollary.records.files import open_course, students
@@ -131,7 +130,7 @@ def test_a_set_that_was_generated_before_comes_from_the_bank_it_came_from(
     (bank / "problems" / "sets" / "momentum_1.md").write_text(SET)
     for students_now, words_now in (("id\nada\n", words), ("id\nada\nben\n", [])):
         (tmp_path / "roster.csv").write_text(students_now)
-        done = forked.run(
+        done = subprocess.run(
             [*command, "--roster", "roster.csv", *words_now],
             cwd=tmp_path,
             capture_output=True,

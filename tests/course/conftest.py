@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import subprocess
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
-from tests import forked
 
 from corollary.course.demo.player import right_sources
 from corollary.course.generate import generate
@@ -24,7 +25,7 @@ from corollary.problem.roster import Student
 
 SET = "---\ntitle: One exercise\nproblems:\n  - X12.5\n---\nOne exercise.\n"
 STUDENTS = ("ada", "ben", "cyd")
-COMMAND = forked.COMMAND
+COMMAND = Path(sys.executable).with_name("corollary")
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +44,7 @@ def grade(
 ) -> Graded:
     """`corollary grade NAME`, run by another command and with these settings of the environment besides."""
     line = [*by, COMMAND, "grade", name, "--course", course, "--json", "--jobs", "1", *words]
-    done = forked.run(
+    done = subprocess.run(
         list(map(str, line)),
         env={**os.environ, **settings},
         capture_output=True,

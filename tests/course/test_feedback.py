@@ -11,7 +11,6 @@ from pathlib import Path
 import nbformat
 import pytest
 from nbgrader.api import Gradebook
-from tests import forked
 
 from corollary.course.feedback import feedback_files
 from corollary.course.lms_places import NoPlaces
@@ -52,7 +51,9 @@ def test_by_the_numbers_of_what_was_collected(course: Path) -> None:
 
 def exported(course: Path, *words: object) -> subprocess.CompletedProcess[str]:
     line = [COMMAND, "export", "one", "--course", course, "-o", course.parent / "out", *words]
-    return forked.run(list(map(str, line)), capture_output=True, encoding="utf-8", timeout=120, check=False)
+    return subprocess.run(
+        list(map(str, line)), capture_output=True, encoding="utf-8", timeout=120, check=False
+    )
 
 
 def test_the_command(course: Path, tmp_path: Path) -> None:

@@ -17,9 +17,10 @@ from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
 from corollary.grading.points import grade
 from corollary.grading.solutions import Solutions
+from corollary.practice.posed import Posed
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.sampling import draws
-from corollary.problem.variant import chapter
+from corollary.problem.variant import chapter, chosen
 
 BANK = chapter_bank()
 SOLUTIONS = Solutions(BANK)
@@ -114,10 +115,11 @@ def test_nothing_of_the_key_is_told_to_a_wrong_answer(code):
             "X12.1",
             "b",
             3.33,
-            ("Conservation of mechanical energy", "larger or smaller than the speed of the club"),
+            ("Conservation of mechanical energy", "type it as a formula of `v`, `M`, `m`"),
         ),
         ("P12.14", "i", [0.1, 0.2, 0.3], ("halve the step",)),
-        ("X12.1", "a", "v/7", ("the speed of the club",)),
+        ("X12.1", "a", "v/7", ("the speed of the club", "with `2*v` in the place of `v`")),
+        ("S12.5nc", "b", "14 deg", ("none of the given numbers", "twice the value of `v0`")),
     ],
 )
 def test_it_names_the_laws_the_quantities_and_a_check(code, part, answer, words):
@@ -151,8 +153,139 @@ def test_an_angle_answered_in_degrees_is_told_in_degrees():
 def test_advice_names_no_answer_that_a_set_leaves_out():
     key = key_of("X12.8")
     (part,) = (each for each in key.variant.problem.parts if each.id == "c")
-    assert "your answer in (b)" in advice(key, part)
+    assert "your answer in (b)" in " ".join(advice(key, part))
     problem = replace(key.variant.problem, parts=(part,), written=key.variant.problem)
-    alone = advice(replace(key, variant=replace(key.variant, problem=problem)), part)
+    alone = " ".join(advice(replace(key, variant=replace(key.variant, problem=problem)), part))
     assert "your answer" not in alone
     assert "mass of the snowball" in alone
+
+
+def told(key: Key, part: str, answer: object, wrong_before: int | None) -> str:
+    judged = judge(key, {part: from_json(answer)})
+    return grade(key, judged, wrong_before=wrong_before)[part].feedback
+
+
+def test_one_wrong_answer_after_the_other_is_told_the_law_what_counts_and_a_check():
+    key = key_of("X12.5")
+    first, second, third, fourth = (told(key, "d", 77.7, count) for count in range(4))
+    assert "Think of: Change of momentum" in first
+    assert "What counts here: the mass of the ball" in second
+    assert "A check: type it as a formula of `m`, `v`, `w`, `dt`" in third
+    assert fourth == third
+    assert [
+        ("Think of" in each, "What counts" in each, "A check" in each) for each in (first, second, third)
+    ] == [
+        (True, False, False),
+        (False, True, False),
+        (False, False, True),
+    ]
+    whole = told(key, "d", 77.7, None)  # of work that is handed in once
+    assert all(words in whole for words in ("Think of", "What counts", "A check"))
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        pytest.param(problem.code, marks=[pytest.mark.whole] if problem.topic == "projects" else [])
+        for problem in BANK
+        if problem.givens
+    ],
+)
+def test_what_counts_is_what_the_answer_depends_on(code):
+    """A given that is named changes the answer: by the keys of other numbers, one given moved along its grid."""
+    key = key_of(code)
+    problem = key.variant.problem
+    for part in problem.parts:
+        find = key.solution.answer(part.id)
+        if part.id not in key.truths or find is None or find.in_givens is None:
+            continue
+        counts = next((each for each in advice(key, part) if each.startswith("What counts")), "")
+        for given in problem.givens:
+            if re.search(rf"[:;] (?:the )?{re.escape(given.meaning)}[;.]", counts) and given.grid.count > 1:
+                others = [moved(key, given.symbol, step) for step in (1, -1, 7, -7, 20)]
+                truths = [other.truths[part.id].values for other in others if other is not None]
+                assert not truths or any(
+                    math.dist(each, key.truths[part.id].values) > 1e-9 * math.hypot(*each) for each in truths
+                ), (part.id, given.symbol)
+        assert "do the units of all" not in " ".join(advice(key, part))
+
+
+def moved(key: Key, symbol: str, steps: int) -> Key | None:
+    """The key with one given so many steps along its grid; none where that has no answer."""
+    problem, grid = key.variant.problem, key.variant.problem.given(symbol).grid
+    value = key.variant.values[symbol] + steps * grid.step
+    if not min(grid.first, grid.last) <= value <= max(grid.first, grid.last):
+        return None
+    try:
+        return make_key(key.solution, chosen(problem, {**key.variant.values, symbol: value}))
+    except (ArithmeticError, ValueError):
+        return None
+
+
+@pytest.mark.parametrize("code", [problem.code for problem in BANK if problem.givens])
+def test_the_check_can_be_typed(code):
+    """The letters that it names are read, and a formula of them that is right is read without a complaint."""
+    posed = Posed(key_of(code))
+    for part in posed.exercise.problem.parts:
+        *_others, check = advice(posed.key, part) or ("",)
+        if "as a formula of" not in check:
+            continue
+        letters = re.findall(r"`(\w+)`", check)
+        find = posed.key.solution.answer(part.id)
+        assert find is not None
+        assert {*letters} <= {given.symbol for given in posed.exercise.problem.givens}
+        if find.in_givens is not None and not part.rows:
+            formulas = [text(tree) for tree in find.in_givens]
+            typed = [posed.preview(part.id, formulas[0] if len(formulas) == 1 else formulas)]
+            assert all(each.ok for each in typed), (part.id, formulas, typed)
+
+
+@pytest.mark.parametrize(
+    ("code", "part", "answer"),
+    [("S12.7", "b", "4.00"), ("E12.5.1", "c", "2.50"), ("S12.7", "b", "4.20"), ("X12.10", "a", "21.4")],
+)
+def test_more_figures_are_asked_for_only_where_the_formula_was_right(code, part, answer):
+    """4.00 is what is left of 4.08 without the small term dm*dv."""
+    key = make_key(SOLUTIONS.of(find(BANK, code)), chapter(find(BANK, code)))
+    said = told(key, part, answer, None)
+    assert said.startswith("Close, but rounding does not explain it")
+    assert "carry four figures" not in said
+
+
+@pytest.mark.parametrize(
+    ("code", "part", "answer"),
+    [
+        ("E12.5.1", "b", "-285"),  # with 2.4 m/s and 240 m/s for 2.425 and 244.9
+        ("S12.2", "b", "12.65"),  # the root of 160, for 10² + 7.5² = 156.25
+        ("X12.12", "a0", "4.5"),  # the root of 20, for 2·9.8·1
+    ],
+)
+def test_more_figures_are_asked_for_where_too_few_were_carried(code, part, answer):
+    key = make_key(SOLUTIONS.of(find(BANK, code)), chapter(find(BANK, code)))
+    assert told(key, part, answer, None).startswith(
+        "Close: carry four figures on the way and round at the end."
+    )
+
+
+def test_a_formula_that_is_wrong_is_put_to_the_test_with_the_students_own_numbers():
+    key = make_key(SOLUTIONS.of(find(BANK, "X12.1")), chapter(find(BANK, "X12.1")))
+    assert told(key, "a", "M*v/(m+M)", 0).startswith(
+        "With `v` = 40 m/s, `M` = 200 g, `m` = 46 g your formula gives 32.52 m/s; the laws give another value."
+    )
+    assert "V is not among the letters here (M, m, r, v); did you mean v?" in told(key, "a", "2*V", 0)
+
+
+@pytest.mark.parametrize(
+    ("code", "part", "answer", "words"),
+    [
+        ("X12.5", "a", "-0.84 or 0.84 kg m/s", "These are two answers; write the one that you mean."),
+        ("X12.2", "b", [1, 0, 1, 0], "With 0 for `v1` and `v2` a law has no value; choose another number."),
+        ("S12.4", "b", 16.15, "A number of this size cannot be right here: look at what is divided by what."),
+        ("S12.5el", "c", "1", "Rounded too far to tell: give three significant figures."),
+        ("E12.7.1", "a", "3 N", "Newton's second law for a changing mass"),
+        ("X12.5", "c", "86000 mn", "mn can be mN or MN"),
+    ],
+)
+def test_it_says_what_is_wrong_in_words_of_the_question(code, part, answer, words):
+    key = make_key(SOLUTIONS.of(find(BANK, code)), chapter(find(BANK, code)))
+    assert words in told(key, part, answer, None)

@@ -19,5 +19,9 @@ def test_each_verdict_has_its_sentence():
     assert sentence(Right("Right, but coarse.")) == "Right, but coarse."
     assert "follows correctly from your answer in (a)" in sentence(Follows(("a",)))
     assert "earns nothing a second time" in sentence(Follows(("a",), True))
-    assert sentence(Slip("The sign is wrong.")) == "Nearly. The sign is wrong."
-    assert sentence(Wrong("")) == "Not right."
+
+
+def test_the_verdict_that_stands_above_a_sentence_is_not_said_in_it_again():
+    assert sentence(Slip("The sign is wrong.")) == "The sign is wrong."
+    assert sentence(Wrong("Neither the sign nor the size fits.")) == "Neither the sign nor the size fits."
+    assert sentence(Wrong("")) == "Not right yet."

@@ -61,7 +61,7 @@ def near(code: str, part: str, answer: Any) -> NearMiss | None:
         ("X12.5", "a", "8.6 kg m/s downwards", "sign told in words", "8.6 kg m/s"),
         ("X12.5", "c", "86000 mn", CASE, "86000 mN"),
         ("X12.5", "c", "the ball gets about 86 of force", ONE_NUMBER, "86"),
-        ("X12.5", "c", "F = 86 newton, I think, because p = mv", ONE_NUMBER, "86 N"),
+        ("X12.5", "c", "I found 86 newton, so p = mv", ONE_NUMBER, "86 N"),
         ("X12.5", "a", "-8.6 or 8.6 kg m/s", SEVERAL, "8.6 kg m/s"),
         ("X12.5", "a", "8.6 ± 3 kg m/s", "number before an uncertainty", "8.6 kg m/s"),
         ("X12.5", "a", "m*V", LETTER, "m*v"),

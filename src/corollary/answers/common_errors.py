@@ -15,6 +15,7 @@ _ = catalogue(__name__)
 
 # None of these says the factor: who may try again should find the reason, not multiply.
 TEN = N_("The power of ten is off; check prefixes such as g and kg, ms and s.")
+TEN_OF_RATIO = N_("The power of ten is off; check that what was divided had the same unit.")
 TEN_OF_FORMULA = N_("a power of ten is off: look at the units")
 CONSTANT = N_("A constant factor is wrong: look for halves, for squares, and for what happens twice.")
 CONSTANT_OF_FORMULA = N_(
@@ -141,7 +142,9 @@ def slips(values: Values, unit: Unit, title: str = "") -> Iterator[tuple[Values,
     if any(values):
         for ratio in RATIOS:
             if ratio.number:
-                yield tuple(ratio.factor * x for x in values), ratio.of_number()
+                of_ratio = unit.dimension == ONE and ratio.number == TEN
+                sentence = _(TEN_OF_RATIO) if of_ratio else ratio.of_number()
+                yield tuple(ratio.factor * x for x in values), sentence
 
 
 def ratio_of_formulas(ratio: float) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from corollary.answers.answer import Formulas, Numbers
@@ -12,14 +13,17 @@ from corollary.answers.judge_numbers import judge_numbers
 from corollary.answers.question import Question
 from corollary.answers.tolerance import within
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
-from corollary.formula.ast import Expr, Number, names, walk
+from corollary.formula.ast import Expr, Name, Number, names, walk
 from corollary.formula.ball import Undefined
 from corollary.formula.degrees import in_degrees
+from corollary.formula.numerals import decimal_text
 from corollary.messages import catalogue, in_convention
+from corollary.units.unit import show
 
 _ = catalogue(__name__)
 
 EXACTLY = 1e-6
+LEAST_SEEN = 0.01  # of the answer: what four figures show
 
 
 def judge_formulas(
@@ -52,9 +56,46 @@ def judge_formulas(
     first = next(each for each in found if isinstance(each, Different))
     if slip := hint(first):
         return Slip(f"{slip[0].upper()}{slip[1:]}.")
-    point = ", ".join(f"{name} = {value:.4g}" for name, value in sorted(first.point.items()))
-    point = in_convention(point)
-    return Wrong(_("For example at {point} (SI) it gives something else than the laws do.", point=point))
+    return Wrong(_with_own_numbers(answer, wanted, question) or _at_point(first))
+
+
+def _with_own_numbers(answer: Formulas, wanted: Quantity, question: Question) -> str:
+    """What the formula comes to with the numbers of the sheet, where that is not what the laws give; else empty."""
+    for place, tree in enumerate(answer.trees):
+        found = values_of((tree,), wanted.givens())
+        length = math.hypot(*wanted.values)
+        if (
+            found is None
+            or abs(found[0] - wanted.values[place]) <= max(wanted.tolerance, LEAST_SEEN) * length
+        ):
+            continue
+        letters, at = names(tree), wanted.givens()
+        numbers = [
+            f"`{each.name}` = {_short(number(Name(each.name), at) / each.unit.si)} {show(each.unit)}".strip().replace(
+                " °", "°"
+            )
+            for each in question.symbols
+            if each.name in letters and not each.unit.offset
+        ]
+        value = f"{_short(found[0] / question.unit.si)} {show(question.unit)}".strip()
+        if numbers:
+            return _(
+                "With {numbers} your formula gives {value}; the laws give another value.",
+                numbers=in_convention(", ".join(numbers)),
+                value=in_convention(value),
+            )
+    return ""
+
+
+def _short(value: float) -> str:
+    """Four figures at most, without zeros at the end."""
+    text = decimal_text(value, 4)
+    return text.rstrip("0").rstrip(".") if "." in text and "e" not in text else text
+
+
+def _at_point(found: Different) -> str:
+    point = ", ".join(f"{name} = {value:.4g}" for name, value in sorted(found.point.items()))
+    return _("Your formula and the laws differ, for example at {point} (SI).", point=in_convention(point))
 
 
 def values_of(trees: tuple[Expr, ...], givens: Point) -> Values | None:

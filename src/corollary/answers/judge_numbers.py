@@ -25,7 +25,7 @@ from corollary.answers.tolerance import (
 )
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.messages import catalogue
-from corollary.units.unit import Unit, called, show
+from corollary.units.unit import CALLED, ONE, Unit, called, show
 
 _ = catalogue(__name__)
 
@@ -228,28 +228,44 @@ def _hint(answer: Numbers, wanted: Quantity, question: Question) -> str:
     sort, unit = called(question.unit.dimension), show(question.unit)
     if is_angle(question.unit):
         sort = _("an angle")
-    off_by_rounding = _("Close, but outside what rounding explains: carry four figures and round at the end.")
-    if wanted.counted:
-        off_by_rounding = _("Close, but this is counted, not measured: it is a whole number, and exact.")
     if len(answer.values) == 1 and wanted.values[0] and answer.values[0]:
         ratio = answer.values[0] / wanted.values[0]
         if abs(ratio) > 100 or abs(ratio) < 0.01:
+            if question.unit.dimension == ONE:
+                return _("A number of this size cannot be right here: look at what is divided by what.")
+            if question.unit.dimension not in CALLED:
+                return _("The size cannot be right: look at powers of ten and units.")
             return _("The size cannot be right for {sort} here: look at powers of ten and units.", sort=sort)
         if ratio < 0 and abs(ratio + 1) > LITTLE_OFF:
             return _("Neither the sign nor the size fits.")
         if abs(ratio - 1) < LITTLE_OFF:
-            return off_by_rounding
+            return _of_little_off(answer, wanted)
     if len(answer.values) > 1:
         off = wanted.tolerance * wanted.scale
         triples = zip(question.components, answer.values, wanted.values, strict=True)
         right = [name for name, x, target in triples if abs(x - target) <= off]
         if len(right) == len(answer.values):
-            return off_by_rounding
+            return _of_little_off(answer, wanted)
         if right:
             return _components_fit(right, len(answer.values) - len(right))
+    if (
+        unit
+        and not is_angle(question.unit)
+        and (question.unit.dimension == ONE or question.unit.dimension not in CALLED)
+    ):
+        return _("Read in {unit}; it does not follow from the numbers given.", unit=unit)
     if unit:
         return _("Read as {sort} in {unit}; it does not follow from the numbers given.", sort=sort, unit=unit)
     return _("Read as {sort}; it does not follow from the numbers given.", sort=sort)
+
+
+def _of_little_off(answer: Numbers, wanted: Quantity) -> str:
+    """What is said where an answer is hardly off."""
+    if wanted.counted:
+        return _("Close, but this is counted, not measured: it is a whole number, and exact.")
+    if wanted.explained_by_rounding(answer.values):
+        return _("Close: carry four figures on the way and round at the end.")
+    return _("Close, but rounding does not explain it: look for a small term, or a number put in wrongly.")
 
 
 def _components_fit(right: Sequence[str], others: int) -> str:

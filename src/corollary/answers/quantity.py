@@ -57,6 +57,7 @@ BOTH_SIGNS = re.compile(
 LOST_POWER = re.compile(
     r"(?<![0-9.,])(?P<number>[0-9]+(?:[.,][0-9]+)?)\s?[xX×·⋅]\s?10(?P<power>[1-9][0-9]?)(?![0-9.,^*])"
 )
+TWO_ANSWERS = re.compile(r"\d\D*\s(?:or|oder|eller|ou)\s\D*\d", re.IGNORECASE)
 HEXADECIMAL = re.compile(r"(?<![0-9.,A-Za-z])0[xXbBoO][0-9A-Fa-f]")
 GLUED = re.compile(r"(?<=[A-Za-z²³°%])([+-])(?=[0-9.,]+\s*[A-Za-zµ°%])")
 PIECE = re.compile(r"([0-9]+(?:[.,][0-9]+)?)\s*(°|[A-Za-zµ]+)")
@@ -122,6 +123,8 @@ def read_quantity(text: str, expected: Unit | None, question: Question | None = 
     with trace.silent():
         found = _alone(text, normalized, expected)
     if isinstance(found, ParseError):
+        if found.status == "refused" and TWO_ANSWERS.search(typed):
+            return refused(_("these are two answers"), None, _("write the one that you mean"))
         return _placed(found, skipped, rewritten=text != typed)
     _note(normalized, found)
     if sides:

@@ -94,8 +94,7 @@ class ForgivenError:
 
     def refuses(self, answer: float, key: float) -> bool:
         """In the unit of the answer."""
-        noise = 1e-12 * abs(key)  # of units converted
-        return abs(answer - key) > (self.relative * abs(key) + self.absolute) * (1 + 1e-9) + noise
+        return abs(answer - key) > (self.relative * abs(key) + self.absolute) * (1 + 1e-9)
 
 
 @dataclass(frozen=True, slots=True)

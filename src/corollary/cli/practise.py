@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, cast
 
+from corollary.answers.verdict import Wrong
 from corollary.cli.ending import HOLDS, refuse, say
 from corollary.cli.local_page import serve
 from corollary.cli.open_sets import course_in, not_to_be_practised, say_broken, with_sets
@@ -95,10 +96,12 @@ def _read(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
 
 def _judge(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
     answers = cast(dict[str, object], posted["answers"])
-    grade = posed.judged(str(posted["part"]), {part: _answer(each) for part, each in answers.items()})
+    given = {part: _answer(each) for part, each in answers.items()}
+    grade = posed.judged(str(posted["part"]), given, max(0, int(posted.get("wrongBefore", 0))))
     return {
         "html": verdict_piece(grade),
         "right": known(grade.verdict),
+        "wrong": isinstance(grade.verdict, Wrong),
         "person": marked_by_a_person(grade.part),
     }
 

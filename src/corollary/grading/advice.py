@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Iterable, Iterator, Set
+from collections.abc import Iterable, Iterator, Sequence, Set
+from fractions import Fraction
 from itertools import islice
 
+from corollary.answers.registry import answer_type
 from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
 from corollary.derive.statements import Choice
-from corollary.formula.ast import Name, Relation, names
+from corollary.formula.ast import Expr, Name, Relation, names
+from corollary.formula.ball import RationalPi, Undefined, certified
 from corollary.grading.key import Key
 from corollary.grading.replay import letters_of
 from corollary.messages import catalogue, spoken
@@ -21,30 +25,43 @@ _ = catalogue(__name__)
 _law_name = catalogue("corollary.laws")
 
 MOST_LAWS = 3
-MOST_QUANTITIES = 5
+OTHERS = (Fraction(101, 100), Fraction(9, 10), Fraction(2))
+SAME = 1e-12
 EQUATIONS = re.compile(r"[\d().,\s–-]+")  # numbers of equations; a source in words may be the formula itself
 WITHOUT_ARTICLE = frozenset({"your", "its", "the", "a", "an", "how"})
 
 
-def advice(key: Key, part: Part) -> str:
-    """Which laws lead to the answer of this part, which quantities they connect it with, and a check; "" where nothing is known."""
+def advice(key: Key, part: Part) -> tuple[str, ...]:
+    """What is said to one wrong answer after the other: the laws that lead to this part, what its answer depends on, and a check
+    that can be typed; as far as they are known."""
     solution = key.solution
     if part.id in solution.choices:
-        return _of_choice(key, solution.choices[part.id])
+        return tuple(_of_choice(key, solution.choices[part.id]))
     asked = solution.answer(part.id)
     if asked is None:
-        return ""
+        return ()
     steps = _steps(key, asked)
     laws = list(islice(_named(law for step in reversed(steps) for law in step.laws), MOST_LAWS))
-    used = _used(key, steps)
-    quantities = [_described(key, each) for each in used[:MOST_QUANTITIES]]
-    quantities += [_("your answer in {part}", part=f"({earlier})") for earlier in _earlier(key, steps)]
-    sentences: list[str] = []
-    if laws:
-        sentences.append(_("Think of: {laws}.", laws=_listed(laws)))
-    if quantities:
-        sentences.append(_("What counts here: {quantities}.", quantities=_listed(quantities)))
-    return " ".join([*sentences, _check(key, part, asked, used)])
+    matters = _dependencies(key, asked)
+    sentences = [_("Think of: {laws}.", laws=_listed(laws))] if laws else []
+    if not matters and _is_constant(key, asked):
+        sentences.append(
+            _("What counts here: none of the given numbers; the answer is the same for all of them.")
+        )
+    else:
+        quantities = [_described(key, each) for each in _used(key, steps) if each in matters]
+        quantities += [_("your answer in {part}", part=f"({earlier})") for earlier in _earlier(key, steps)]
+        if quantities:
+            sentences.append(_("What counts here: {quantities}.", quantities=_listed(quantities)))
+    return (*sentences, *filter(None, (_check(key, part, asked, matters),)))
+
+
+def advice_for(key: Key, part: Part, wrong_before: int | None) -> str:
+    """What is said to an answer after so many wrong ones; all of it where nobody counts them."""
+    sentences = advice(key, part)
+    if wrong_before is None or not sentences:
+        return " ".join(sentences)
+    return sentences[min(wrong_before, len(sentences) - 1)]
 
 
 def _steps(key: Key, asked: Unknown) -> list[Unknown]:
@@ -101,29 +118,86 @@ def _listed(words: list[str]) -> str:
     return "; ".join(words)
 
 
-def _check(key: Key, part: Part, asked: Unknown, used: list[Given]) -> str:
-    """Something to try that needs no key: the step of a program, a size, a limiting case, the units."""
+def _dependencies(key: Key, asked: Unknown) -> list[Given]:
+    """The givens that the answer depends on: those in its formula that do not drop out of it; of a scene all that go in."""
+    letters = _letters(key, asked)
+    given = [each for each in key.variant.problem.givens if each.symbol in letters]
+    return [each for each in given if asked.in_givens is None or _changes_with(key, asked.in_givens, each)]
+
+
+def _letters(key: Key, asked: Unknown) -> frozenset[str]:
+    if asked.in_givens is not None:
+        return frozenset[str]().union(*map(names, asked.in_givens))
+    return frozenset[str]().union(*(letters_of(step.local) for step in steps_to(key.solution, asked, set())))
+
+
+def _changes_with(key: Key, trees: Sequence[Expr], given: Given) -> bool:
+    """True if another value of a given changes what formulas of the givens come to, for the numbers of this key."""
+    at = key.variant.exact
+    try:
+        values = [certified(tree, at).value for tree in trees]
+    except Undefined:
+        return True
+    for other in OTHERS:
+        moved = {
+            **at,
+            given.symbol: RationalPi(
+                at[given.symbol].ratio * other + (other - 1 if not at[given.symbol].ratio else 0),
+                at[given.symbol].pi,
+            ),
+        }
+        try:
+            found = [certified(tree, moved).value for tree in trees]
+        except Undefined:
+            continue
+        if math.dist(found, values) > SAME * math.hypot(*values, *found):
+            return True
+    return False
+
+
+def _is_constant(key: Key, asked: Unknown) -> bool:
+    """True of a formula of which all givens drop out, where there are any."""
+    return asked.in_givens is not None and bool(key.variant.problem.givens)
+
+
+def _check(key: Key, part: Part, asked: Unknown, matters: Sequence[Given]) -> str:
+    """Something to type that needs no key: half the step of a program, the answer as a formula, or at another value."""
     if not isinstance(asked.local, ClosedForms):
-        return _("A check: does the number stay when you halve the step of your program?")
-    alike = next((given for given in used if given.unit.dimension == part.unit.dimension), None)
-    if alike is not None and part.unit.dimension != PURE.dimension and not part.components:
         return _(
-            "A check: must it be larger or smaller than {quantity}, and why?", quantity=_described(key, alike)
+            "A check: halve the step of your program and type what it gives then; three figures must stay as they are."
         )
-    if used:
+    if not matters:
+        going_in = _used(key, steps_to(key.solution, asked, set())) or key.variant.problem.givens
+        if not going_in:
+            return ""
         return _(
-            "A check: what should become of it if {quantity} were very small, and does it in your way of solving?",
-            quantity=_described(key, used[0]),
+            "A check: type your calculation with twice the value of `{letter}`; it must come to the same.",
+            letter=going_in[0].symbol,
         )
-    if unit := show(part.unit):
-        return _("A check: do the units of all that you used come to {unit}?", unit=unit)
-    return _("A check: say in words why it must be so, without any formula.")
+    if answer_type(part.answer_type).in_symbols:
+        return _(
+            "A check: what must become of it when {quantity} is doubled? Type your formula with `2*{letter}` in the place of `{letter}`, and compare.",
+            letter=matters[0].symbol,
+            quantity=_described(key, matters[0]),
+        )
+    letters = ", ".join(f"`{each.symbol}`" for each in matters)
+    unit = show(part.unit)
+    if not unit or part.rows or part.unit.dimension == PURE.dimension:
+        return _(
+            "A check: type it as a formula of {letters}; you are told where its units do not fit.",
+            letters=letters,
+        )
+    return _(
+        "A check: type it as a formula of {letters}; you are told where it does not come to {unit}.",
+        letters=letters,
+        unit=unit,
+    )
 
 
-def _of_choice(key: Key, choice: Choice[Relation | bool]) -> str:
+def _of_choice(key: Key, choice: Choice[Relation | bool]) -> Iterator[str]:
+    yield _("For each option ask which law would have to be broken if it were true.")
     conditions = [each for each in choice.options.values() if isinstance(each, Relation)]
     letters = frozenset[str]().union(*(names(each.left) | names(each.right) for each in conditions))
     used = [_described(key, each) for each in key.variant.problem.givens if each.symbol in letters]
     if used:
-        return _("What counts here: {quantities}.", quantities=_listed(used))
-    return _("For each option ask which law would have to be broken if it were true.")
+        yield _("What counts here: {quantities}.", quantities=_listed(used))

@@ -30,6 +30,7 @@ from corollary.grading.free_body import free_body
 from corollary.grading.key import Key, Truth, named
 from corollary.grading.misconceptions import slips_of_input, wrong_formulas, wrong_values
 from corollary.grading.replay import replay
+from corollary.grading.rounded_by_hand import explained_by_rounding
 from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
@@ -87,6 +88,7 @@ def _quantity(
         truth.scales,
         truth.residue,
         truth.counted,
+        explained_by_rounding=partial(explained_by_rounding, key, truth),
     )
 
 

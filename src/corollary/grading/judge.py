@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
@@ -171,7 +172,7 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
         case Unclear(why, _excerpt, readings, benefit):
             verdicts = (verdict_on(name, each, expected) for each in readings)
             right = next((each for each in verdicts if isinstance(each, Right | Follows)), None)
-            reason = f"{why[0].upper()}{why[1:]}."
+            reason = _begun(f"{why}.", answer.as_read)
             if isinstance(right, Right) and benefit:
                 return Right(_("Taken as the number that is right. ({reason})", reason=reason))
             if right is not None and benefit:
@@ -184,7 +185,7 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
                     )
                 )
             end = "" if why.endswith((".", "?")) else "."
-            return Unread(_("This could not be read: {why}", why=why + end))
+            return Unread(_begun(why + end, answer.as_read))
         case Numbers(values=(value,), beside=beside) if beside and expected.quantity is not None:
             for tree in beside:
                 found = values_of((tree,), expected.quantity.givens())
@@ -196,10 +197,17 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
                         formula=formula_text(tree),
                         answer=answer.as_read,
                     )
-                    return Unread(_("This could not be read: {why}", why=f"{why}."))
+                    return Unread(f"{why}.")
             return judging(name).judge(answer, expected)
         case _:
             return judging(name).judge(answer, expected)
+
+
+def _begun(sentence: str, typed: str) -> str:
+    """With a capital, unless it begins with what was typed: `mn can be mN or MN`."""
+    first = re.match(r"[^\W\d_]+(?![\w*^/.(])", sentence)
+    own = first is None or len(first[0]) < 2 or re.search(rf"\b{re.escape(first[0])}\b", typed)
+    return sentence if own else f"{sentence[0].upper()}{sentence[1:]}"
 
 
 def _failed(name: str, error: Exception) -> Unmarked:

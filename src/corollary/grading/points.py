@@ -8,7 +8,7 @@ from typing import assert_never
 
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
-from corollary.grading.advice import advice
+from corollary.grading.advice import advice_for
 from corollary.grading.feedback import revealed
 from corollary.grading.grade import Grade, PartGrade
 from corollary.grading.key import Key
@@ -79,15 +79,23 @@ def grade(
     weight: float = 1.0,
     *,
     reveal: bool = False,
+    wrong_before: int | None = None,
 ) -> Grade:
-    """Points and feedback for each part. Of two answer types each is worth half; the verdict reported is the first that is not right."""
+    """Points and feedback for each part. Of two answer types each is worth half; the verdict reported is the first that is not right.
+
+    `wrong_before`: how many wrong answers came before, to whom may try again; each is told something else.
+    """
     parts: list[PartGrade] = []
     for part in key.variant.problem.parts:
         verdicts, answer = judged[part.id]
         decisive = next((verdict for verdict in verdicts if not isinstance(verdict, Right)), verdicts[0])
         feedback = _feedback(part.answer_types, verdicts)
-        if isinstance(decisive, Wrong) and len(verdicts) == 1 and (thought := advice(key, part)):
-            feedback = f"{feedback} {thought}"
+        if (
+            isinstance(decisive, Wrong)
+            and len(verdicts) == 1
+            and (thought := advice_for(key, part, wrong_before))
+        ):
+            feedback = f"{feedback} {thought}" if decisive.why else thought
         if reveal and not isinstance(decisive, Right) and (solution := revealed(key, part, answer)):
             feedback = f"{feedback} {solution}"
         names = tuple(map(basis, verdicts))

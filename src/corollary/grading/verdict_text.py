@@ -11,7 +11,7 @@ _ = catalogue(__name__)
 
 
 def sentence(verdict: Verdict) -> str:
-    """The verdict in the student's words, as Markdown."""
+    """What is said of an answer beside its verdict, as Markdown; the verdict itself where there is nothing else."""
     match verdict:
         case Right(note):
             return note or _("Right.")
@@ -34,9 +34,9 @@ def sentence(verdict: Verdict) -> str:
                 parts=_parts(earlier),
             )
         case Slip(slip):
-            return _("Nearly. {slip}", slip=slip)
+            return slip
         case Wrong(why):
-            return _("Not right. {why}", why=why).strip()
+            return why or _("Not right yet.")
         case Unread(why):
             return why
         case Unmarked(why):

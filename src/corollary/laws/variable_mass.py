@@ -34,7 +34,7 @@ def rocket_equation(F: object, *, m: object, a: object, v: object, u: object, R:
     `F = m*a + (v - u)*R`
     """
     return law(
-        "Rocket equation",
+        "Newton's second law for a changing mass",
         "F = m*a + (v - u)*R",
         source="(12.126)",
         holds="mass is taken up steadily, R = dm/dt",

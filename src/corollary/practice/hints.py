@@ -17,7 +17,7 @@ from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
 from corollary.formula.ast import Expr, Name, Number, names
 from corollary.formula.ball import Undefined, certified
 from corollary.formula.latex import latex, letter, vector
-from corollary.grading.advice import advice, steps_to
+from corollary.grading.advice import advice_for, steps_to
 from corollary.grading.key import Key
 from corollary.grading.replay import letters_of
 from corollary.messages import catalogue
@@ -121,7 +121,7 @@ def _hints(key: Key, part: Part, left: Remaining | None) -> tuple[str, ...]:
         return tuple(dict.fromkeys((*own, *_of_steps(key, left))))
     if laws := _laws_of(key.solution, part.id):
         return (*own, *_of_laws(laws, ()))
-    thought = advice(key, part)
+    thought = advice_for(key, part, None)
     return (*own, thought) if thought else own
 
 
@@ -132,7 +132,7 @@ def _of_steps(key: Key, left: Remaining) -> Iterator[str]:
         yield _opening(key, left, place)
         thoughts = tuple(_of_laws(step.laws, _formulas(step, asked), _why(step)))
         if not thoughts and step.part:  # laws that say no more than the answer itself
-            thoughts = tuple(filter(None, (advice(key, key.variant.problem.part(step.part)),)))
+            thoughts = tuple(filter(None, (advice_for(key, key.variant.problem.part(step.part), None),)))
         yield from thoughts
 
 

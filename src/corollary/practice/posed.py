@@ -47,12 +47,13 @@ class Posed:
         its_type = answer_type(part.answer_type)
         return its_type.preview(from_json(answer), question_in(self.exercise.variant, part))
 
-    def judged(self, name: str, answers: Mapping[str, Answer]) -> PartGrade:
-        """What one part earns, with the others' answers to carry on from; only its own program is run, in isolation."""
+    def judged(self, name: str, answers: Mapping[str, Answer], wrong_before: int = 0) -> PartGrade:
+        """What one part earns after so many wrong answers to it, with the others' answers to carry on from; only its own program
+        is run, in isolation."""
         self.part(name)
         values = {part: from_json(answer) for part, answer in answers.items()}
         programs = run_programs(self.key, {part: value for part, value in values.items() if part == name})
-        return grade(self.key, judge(self.key, values, programs))[name]
+        return grade(self.key, judge(self.key, values, programs), wrong_before=wrong_before)[name]
 
     def hints(self, name: str, right: frozenset[str]) -> tuple[str, ...]:
         """What may be told of a part, one after the other, to whom the parts in `right` are known."""

@@ -108,7 +108,7 @@ def _turn(practice: Practice, problem: Problem, turn: int) -> dict[str, Any]:
         "steps": [html(step) for step in posed.worked_steps],
         "motion": animation(film) if film else "",
         "hints": {part.id: _as_html(posed.hints_by_known(part.id)) for part in parts},
-        "advice": {part.id: inline(text) for part in parts if (text := advice(posed.key, part))},
+        "advice": {part.id: list(map(inline, texts)) for part in parts if (texts := advice(posed.key, part))},
         "said": {text: inline(text) for text in _texts(posed.key)},
         "key": json.dumps(serialized(posed.key), separators=(",", ":")),
     }

@@ -35,8 +35,20 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
             for law in wanted.laws
             if not all(holds_nearly(equation, mine, TOLERANCE) for equation in law.equations)
         ]
-    except Undefined as error:
-        return Unread(_("These numbers cannot be put into the laws: {error}", error=error))
+    except Undefined:
+        zeros = [
+            f"`{name}`"
+            for name, value in zip(expected.question.components, answer.values, strict=False)
+            if not value
+        ]
+        if zeros:
+            return Unread(
+                _(
+                    "With 0 for {names} a law has no value; choose another number.",
+                    names=_(" and ").join(zeros),
+                )
+            )
+        return Unread(_("With these numbers a law has no value; choose others."))
     if broken:
         return Wrong(_("Your numbers do not keep this law: {laws}.", laws=_(" and ").join(broken)))
     return Right(_("Every law holds for your numbers."))

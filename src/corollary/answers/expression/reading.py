@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import final
 
@@ -26,6 +27,8 @@ from corollary.formula.value import Exact, Items, Nothing, Real, Refused, Text, 
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)
+
+WORD = re.compile(r"[^\W\d]\w*")
 
 
 @final
@@ -82,7 +85,9 @@ def _tree(text: str, question: Question) -> Expr | Unclear:
     if isinstance(tree, Unclear):
         return tree
     if isinstance(tree, ParseError):
-        number = isinstance(read_quantity(text, question.unit), Reading)
+        # The 2 volts of `2*V` are a letter in another case, where the exercise has a v.
+        cased = {each.casefold() for each in question.symbol_names} & set(WORD.findall(text.casefold()))
+        number = not cased and isinstance(read_quantity(text, question.unit), Reading)
         why = _("this is a number; {wanted}", wanted=_wanted(question)) if number else sentence(tree)
         return Unclear(why, as_typed(text))
     dimension = dimension_in(tree, question)

@@ -71,9 +71,12 @@ async function ask(what) {
     case "judge": {
       if (!its.judged.includes(what.part)) return {html: verdicts.compare, right: false, person: true};
       const got = await python("judge", what.answers);
-      const advice = got.word === "wrong" && its.advice[what.part] || "";
-      const said = got.word === "right" ? "" : `<p>${shown(got.text, its.said)} ${advice}</p>`;
-      return {html: verdicts[got.word].replace("</div>", `${said}</div>`), right: got.known, person: got.word === "unmarked"};
+      const told = got.word === "wrong" && its.advice[what.part] || [""]; // one wrong answer after the other is told something else
+      const advice = told[Math.min(what.wrongBefore, told.length - 1)];
+      const isSaid = verdicts[got.word].includes(`${escaped(got.text.replace(/\.$/, ""))}</span>`); // by the verdict above it
+      const text = isSaid ? "" : shown(got.text, its.said);
+      const said = got.word === "right" || !text && !advice ? "" : `<p>${text} ${advice}</p>`;
+      return {html: verdicts[got.word].replace("</div>", `${said}</div>`), right: got.known, wrong: got.word === "wrong", person: got.word === "unmarked"};
     }
   }
 }

@@ -43,7 +43,7 @@ async function begin(code, turn) {
   const which = turn === undefined ? kept.turn : turn;
   try {
     const got = await ask({ask: "exercise", code, turn: which});
-    now = {code, turn: which, right: new Set(), judged: got.judged, wrong: {}, hints: {}, steps: 0, helped: false, finished: false};
+    now = {code, turn: which, right: new Set(), judged: got.judged, wrong: {}, told: {}, hints: {}, steps: 0, helped: false, finished: false};
     sheet.innerHTML = got.html;
     wire();
     keep(code, {turn: which});
@@ -100,8 +100,9 @@ async function check(section) {
   if (value(section) === "") return say(place, words.empty);
   say(place, words.checking);
   try {
-    const got = await ask({ask: "judge", code: now.code, turn: now.turn, part, answers: answers()});
+    const got = await ask({ask: "judge", code: now.code, turn: now.turn, part, answers: answers(), wrongBefore: now.told[part] || 0});
     place.innerHTML = got.html;
+    if (got.wrong) now.told[part] = (now.told[part] || 0) + 1;
     if (got.right) now.right.add(part);
     else {
       now.right.delete(part);

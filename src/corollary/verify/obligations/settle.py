@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -73,14 +73,13 @@ def _of_one(
     variants: int,
     claims: Callable[[Solution], Iterator[Obligation]] = obligations,
 ) -> Iterator[Settled]:
-    case = solution.case if conditions else ""
     try:
         settling = Settling(Box(solution.problem, conditions), variants)
     except ValueError as error:
         for each in claims(solution):
-            yield Settled(each.kind, each.claim, each.line, "undecided", str(error), case=case)
+            yield Settled(each.kind, each.claim, each.line, "undecided", str(error))
         return
-    yield from (replace(settling.settle(each), case=case) for each in claims(solution))
+    yield from map(settling.settle, claims(solution))
 
 
 @dataclass(frozen=True, slots=True)
