@@ -4,16 +4,15 @@ SHELL := bash
 .SHELLFLAGS := -euo pipefail -c
 
 VENV ?= .venv
-EXTRAS ?= # further extras of pyproject.toml for the tests, such as fast
 JOBS ?= 3 # one more than two cores: tests also wait, for processes that they start
 BIN := $(VENV)/bin
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && { echo $$p; break; }; done)
 MADE_FROM := pyproject.toml .ci/constraints.txt
-LATER := not whole and not browser and not client and not term
+LATER := not whole and not browser and not client and not term and not fast
 comma := ,
 FOR_DEMO := nbgrader,isolation,proofs
-FOR_TEST := $(FOR_DEMO),dask,pdf,test$(if $(strip $(EXTRAS)),$(comma)$(strip $(EXTRAS)))
+FOR_TEST := $(FOR_DEMO),dask,pdf,test
 
 # One stamp for each group of packages; each group is put on top of the one before it.
 DEMO := $(VENV)/.has-demo
@@ -49,7 +48,7 @@ $(TEST): $(DEMO)
 	@touch $@
 
 $(ALL): $(TEST)
-	$(call install,what drives a browser and builds the site,--no-build-isolation --editable '.[$(FOR_TEST)$(comma)browser$(comma)site]')
+	$(call install,what drives a browser$(comma) builds the site and compiles steps,--no-build-isolation --editable '.[$(FOR_TEST)$(comma)browser$(comma)site$(comma)fast]')
 	@touch $@
 
 $(LINT): $(TEST)
@@ -60,7 +59,7 @@ demo: $(DEMO)
 	@$(BIN)/corollary demo demo
 
 # The tests a change is tried with, in under ten minutes on two cores; `make test-long` has those that it leaves out: the long ones and
-# those with a browser or a client; `make test-all` has both.
+# those with a browser, a client or compiled steps; `make test-all` has both.
 test: $(TEST)
 	@$(BIN)/python -m pytest -n $(JOBS) --dist loadfile -m "$(LATER)"
 

@@ -11,7 +11,7 @@ import pytest
 
 PROGRAMS = ("bash", "cat", "chmod", "cp", "env", "false", "git", "ls", "make", "mkdir", "mv", "rm", "sed", "sh", "sleep", "touch", "true", "uname")  # fmt: skip
 PYTHON = ("python3",)
-MARKED = ("whole", "browser", "client", "term")
+MARKED = ("whole", "browser", "client", "term", "fast")
 FOLDER = "COROLLARY_TEST_PROGRAMS"
 
 

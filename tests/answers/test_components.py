@@ -13,13 +13,26 @@ from corollary.formula.errors import ParseError
     "typed",
     [
         "(3, 4) N", "[3; 4] N", "<3, 4> N", "{3, 4} N", "(3 | 4) N", "3 N and 4 N", "3 N; 4 N", "3 i + 4 j N", "3 ex + 4 ey N",
-        "p_y = 4 N, p_x = 3 N", "y: 4 N; x: 3 N", "vx = 3 N, vy = 4 N",
+        "p_y = 4 N, p_x = 3 N", "y: 4 N; x: 3 N", "vx = 3 N, vy = 4 N", "3 N und 4 N", "3 N og 4 N", "3 i N + 4 j N", "4 j N + 3 i N",
     ],
 )  # fmt: skip
 def test_the_components_in_their_order(typed):
     found = pieces_of(typed, 2, ("x", "y"))
     assert isinstance(found, list), found
     assert [piece.lstrip("+") for piece in found] == ["3 N", "4 N"]
+
+
+@pytest.mark.parametrize(
+    ("typed", "components"),
+    [
+        ("3 i + -4 j N", ["3 N", "-4 N"]),
+        ("3 i - -4 j N", ["3 N", "4 N"]),
+        ("3 i kg m s^-1 - 4 j kg m s^-1", ["3 kg m s^-1", "-4 kg m s^-1"]),
+        ("-m*v i - M*u j", ["-m*v", "-M*u"]),
+    ],
+)
+def test_signs_and_units_between_unit_vectors(typed, components):
+    assert pieces_of(typed, 2, ("x", "y")) == components
 
 
 def test_names_that_are_none_of_the_components_keep_their_order():

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import json
 import subprocess
-import sys
+from pathlib import Path
 
 import pytest
+from tests import forked
 
 RECORDS = """
 - id: right
@@ -38,15 +39,10 @@ LISTED = """
 """
 
 
-def audit(*arguments: object) -> subprocess.CompletedProcess[str]:
-    command = [
-        sys.executable,
-        "-c",
-        "from corollary.cli.main import main; main()",
-        "audit",
-        *map(str, arguments),
-    ]
-    return subprocess.run(command, capture_output=True, text=True, timeout=300)
+def audit(*arguments: object, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+    return forked.run(
+        [forked.COMMAND, "audit", *arguments], cwd=cwd, capture_output=True, text=True, timeout=300
+    )
 
 
 @pytest.fixture
@@ -87,6 +83,17 @@ def test_a_mistake_is_named_and_the_status_says_wrong(written, tmp_path):
     assert "<math" in text
     assert "sine and cosine are interchanged" in text
     assert "15.3 m" in text
+
+
+@pytest.mark.parametrize("beside", ["", "below/../", "./"])
+def test_a_path_from_where_one_stands(written, tmp_path, beside):
+    written(RECORDS)
+    written(LISTED, "l.json")
+    (tmp_path / "below").mkdir()
+    done = audit(f"{beside}records.yaml", f"{beside}l.json", "--json", "--report", "page.html", cwd=tmp_path)
+    assert done.returncode == 1, done.stderr
+    assert [each["id"] for each in json.loads(done.stdout)][:1] == ["right"]
+    assert "You took half of the radius" in (tmp_path / "page.html").read_text(encoding="utf-8")
 
 
 def test_a_bad_request(written):

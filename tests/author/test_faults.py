@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 
 import pytest
+from tests import forked
 
 from corollary.derive.load import NotDerivable
 from corollary.derive.solve import solve
@@ -49,7 +48,6 @@ def derive(h, g):
         printed("c", "b", "(1)"),
     )
 """
-PROGRAM = "import sys; from corollary.cli.main import main; sys.argv[0] = 'corollary'; main()"
 
 
 @pytest.fixture
@@ -102,7 +100,7 @@ def test_a_printed_choice_is_compared(bank, printed, complaints):
 
 def test_a_negative_answer_is_no_option():
     for words in (["-56.0 J", "--unit", "J"], ["--unit", "J", "-56.0 J"]):
-        run = subprocess.run([sys.executable, "-c", PROGRAM, "read", *words], capture_output=True, text=True)
+        run = forked.run([forked.COMMAND, "read", *words], capture_output=True, text=True)
         assert (run.returncode, run.stdout.splitlines()[0]) == (0, "read as -56.0 J"), run.stderr
 
 
@@ -112,7 +110,7 @@ def test_a_case_names_the_givens_it_left_out(bank, tmp_path):
         '[{"given": {"h": 2}, "answers": {"a": 6.26}}]', encoding="utf-8"
     )
     words = ["judge", "F1.1", "--bank", str(here.folder), "--cases", str(tmp_path / "cases.json"), "--json"]
-    run = subprocess.run([sys.executable, "-c", PROGRAM, *words], capture_output=True, text=True)
+    run = forked.run([forked.COMMAND, *words], capture_output=True, text=True)
     (record,) = json.loads(run.stdout)
     assert record["defaulted"] == ["g"]
     assert record["parts"]["a"]["verdict"] == "right"

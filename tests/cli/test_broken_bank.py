@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import json
 import re
-import subprocess
-import sys
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
+from tests import forked
 
 from corollary.cli.export_site import exercise_files
 from corollary.cli.practise import answered
@@ -18,7 +17,6 @@ from corollary.practice.practice import practice
 from corollary.problem.bank import open_bank
 from corollary.problem.diagnostic import Malformed
 
-PROGRAM = "import sys; from corollary.cli.main import main; sys.argv[0] = 'corollary'; main()"
 PROBLEM = """\
 ---
 code: CODE
@@ -72,9 +70,7 @@ STATEMENTS = {
 
 
 def run(*words):
-    return subprocess.run(
-        [sys.executable, "-c", PROGRAM, *words], capture_output=True, text=True, timeout=300
-    )
+    return forked.run([forked.COMMAND, *words], capture_output=True, text=True, timeout=300)
 
 
 @pytest.fixture(scope="module")

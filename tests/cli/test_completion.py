@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from tests import forked
 
 from corollary.atomic import write_whole
 from corollary.problem.roster import Student
 from corollary.records.files import create_course
 
-COMMAND = Path(sys.executable).with_name("corollary")
+COMMAND = forked.COMMAND
 
 
 def completed(line: str, folder: Path) -> list[str]:
@@ -24,7 +23,7 @@ def completed(line: str, folder: Path) -> list[str]:
         "COMP_CWORD": str(len(line.split(" ")) - 1),
     }
     environment = {**os.environ, **about}
-    done = subprocess.run([COMMAND], env=environment, cwd=folder, capture_output=True, text=True, check=False)
+    done = forked.run([COMMAND], env=environment, cwd=folder, capture_output=True, text=True, check=False)
     assert done.stderr == ""
     return [each.partition(",")[2] for each in done.stdout.splitlines() if each]
 
@@ -68,5 +67,5 @@ def test_what_is_wrong_with_a_course_is_not_said_in_the_middle_of_a_line(course:
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_every_shell_gets_its_script(shell: str):
     environment = {**os.environ, "_COROLLARY_COMPLETE": f"{shell}_source"}
-    done = subprocess.run([COMMAND], env=environment, capture_output=True, text=True, check=False)
+    done = forked.run([COMMAND], env=environment, capture_output=True, text=True, check=False)
     assert "_COROLLARY_COMPLETE" in done.stdout

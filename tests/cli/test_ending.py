@@ -11,6 +11,7 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
+from tests import forked
 
 from corollary.cli.ending import RAISED, expected
 
@@ -63,9 +64,9 @@ def test_ctrl_c_while_notebooks_run_ends_with_130_and_nobody_is_left(tmp_path: P
     names = [f"s{number}" for number in range(4)]
     (tmp_path / "roster.csv").write_text("\n".join(["id", *names, ""]))
     (tmp_path / "one.md").write_text("---\ntitle: One\nproblems: [X12.5]\n---\n")
-    command, course = Path(sys.executable).with_name("corollary"), tmp_path / "mech"
+    command, course = forked.COMMAND, tmp_path / "mech"
     made = [command, "generate", tmp_path / "one.md", "--roster", tmp_path / "roster.csv", "--course", course]
-    subprocess.run(made, check=True, capture_output=True)
+    forked.run(made, check=True, capture_output=True)
     for name in names:
         place = course / "submitted" / name / "one" / "one.ipynb"
         place.parent.mkdir(parents=True)

@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests import forked
 
 from corollary.cli.main import main
 from corollary.records.files import open_course, students
@@ -130,7 +131,7 @@ def test_a_set_that_was_generated_before_comes_from_the_bank_it_came_from(
     (bank / "problems" / "sets" / "momentum_1.md").write_text(SET)
     for students_now, words_now in (("id\nada\n", words), ("id\nada\nben\n", [])):
         (tmp_path / "roster.csv").write_text(students_now)
-        done = subprocess.run(
+        done = forked.run(
             [*command, "--roster", "roster.csv", *words_now],
             cwd=tmp_path,
             capture_output=True,

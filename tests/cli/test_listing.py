@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from tests import forked
 
 from corollary.cli.commands import app
 from corollary.problem.bank import chapter_bank
@@ -120,8 +121,7 @@ def test_one_problem_is_one_problem(bank):
     ],
 )
 def test_what_is_nearly_right_is_guessed(tmp_path, words, sentence):
-    command = Path(sys.executable).with_name("corollary")
-    done = subprocess.run([command, *words], cwd=tmp_path, capture_output=True, text=True, check=False)
+    done = forked.run([forked.COMMAND, *words], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout) == (2, "")
     assert sentence.lower() in done.stderr.lower()
 

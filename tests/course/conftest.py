@@ -5,14 +5,13 @@ from __future__ import annotations
 import json
 import os
 import shutil
-import subprocess
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
+from tests import forked
 
 from corollary.course.demo.player import right_sources
 from corollary.course.generate import generate
@@ -25,7 +24,7 @@ from corollary.problem.roster import Student
 
 SET = "---\ntitle: One exercise\nproblems:\n  - X12.5\n---\nOne exercise.\n"
 STUDENTS = ("ada", "ben", "cyd")
-COMMAND = Path(sys.executable).with_name("corollary")
+COMMAND = forked.COMMAND
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +43,7 @@ def grade(
 ) -> Graded:
     """`corollary grade NAME`, run by another command and with these settings of the environment besides."""
     line = [*by, COMMAND, "grade", name, "--course", course, "--json", "--jobs", "1", *words]
-    done = subprocess.run(
+    done = forked.run(
         list(map(str, line)),
         env={**os.environ, **settings},
         capture_output=True,

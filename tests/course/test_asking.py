@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
-import subprocess
 from pathlib import Path
 
 import pytest
 
 pytest.importorskip("nbgrader")
+
+from tests import forked
 
 from .conftest import COMMAND, grade
 
@@ -76,7 +77,7 @@ def test_a_regrade_that_nobody_agrees_to_writes_nothing_of_anybody(corrected: Pa
 def test_what_happened_is_said_and_nothing_else(corrected: Path, graded: Path) -> None:
     def said(*words: str) -> str:
         line = [COMMAND, "grade", corrected, "--course", graded, "--jobs", "1", *words]
-        return subprocess.run(list(map(str, line)), capture_output=True, encoding="utf-8", check=False).stdout
+        return forked.run(list(map(str, line)), capture_output=True, encoding="utf-8", check=False).stdout
 
     assert "would grade 3, unchanged 0" in said("--dry-run")
     assert "graded 2, held back 1 (nobody agreed), unchanged 0" in said()
@@ -97,7 +98,7 @@ def test_more_time_is_agreed_to_by_whoever_gave_it(graded: Path, tmp_path: Path)
 
     def extend(*words: str) -> None:
         line = [COMMAND, "extend", "ada", own, *words, "--course", graded]
-        subprocess.run(list(map(str, line)), check=True, capture_output=True)
+        forked.run(list(map(str, line)), check=True, capture_output=True)
 
     extend("2099-03-05")
     done = grade(graded, name=own)

@@ -7,12 +7,12 @@ import json
 import os
 import shutil
 import stat
-import subprocess
 import zipfile
 from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
+from tests import forked
 
 from corollary.course.collect import Collected, collect
 from corollary.records.collected import ACCEPTED, NOBODY, OLDER, UNCHANGED, UNUSABLE
@@ -465,7 +465,7 @@ def test_of_two_files_without_a_time_nothing_is_said_of_when(course: Path, tmp_p
     files = {first: sheet(course, "ada", note="a"), second: sheet(course, "ada", note="b")}
     zipped = archive(tmp_path / "all.zip", files, 10, minutes=0)
     line = [COMMAND, "collect", "one", zipped, "--course", course, "--dry-run"]
-    done = subprocess.run(list(map(str, line)), capture_output=True, encoding="utf-8", check=False)
+    done = forked.run(list(map(str, line)), capture_output=True, encoding="utf-8", check=False)
     assert done.returncode == 0, done.stderr
     why = f"does not say when it was handed in, nor does {first}, whose name comes last"
     assert f"ada: {second} {why}; the latter is taken" in done.stderr

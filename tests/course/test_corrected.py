@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import sqlite3
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from tests import forked
 
 from corollary.course.export import sheets_of_course
 from corollary.course.marks_export import marks_table
@@ -200,7 +200,7 @@ def test_nbgraders_autograde_in_a_corrected_course_gives_the_same_marks(ball: Ch
     ball.write(Text(parts=("a", "d", "b"), givens=RANGE, points=2))
     made = ball.generate("ada", "ben", "cyd")
     ball.hand_in(made, "cyd", X1_1_d="1e9")
-    done = subprocess.run(
+    done = forked.run(
         [Path(sys.executable).with_name("nbgrader"), "autograde", "week", "--force"],
         cwd=ball.course,
         capture_output=True,

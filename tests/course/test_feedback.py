@@ -11,6 +11,7 @@ from pathlib import Path
 import nbformat
 import pytest
 from nbgrader.api import Gradebook
+from tests import forked
 
 from corollary.course.feedback import feedback_files
 from corollary.course.lms_places import NoPlaces
@@ -51,9 +52,7 @@ def test_by_the_numbers_of_what_was_collected(course: Path) -> None:
 
 def exported(course: Path, *words: object) -> subprocess.CompletedProcess[str]:
     line = [COMMAND, "export", "one", "--course", course, "-o", course.parent / "out", *words]
-    return subprocess.run(
-        list(map(str, line)), capture_output=True, encoding="utf-8", timeout=120, check=False
-    )
+    return forked.run(list(map(str, line)), capture_output=True, encoding="utf-8", timeout=120, check=False)
 
 
 def test_the_command(course: Path, tmp_path: Path) -> None:

@@ -7,12 +7,12 @@ import io
 import json
 import os
 import shutil
-import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
+from tests import forked
 
 from corollary.course.demo.player import right_sources
 from corollary.course.generate import generate
@@ -101,7 +101,7 @@ def folder(graded_once: Path, tmp_path: Path) -> Path:
 
 def export(folder: Path, *words: str, sets: tuple[str, ...] = ("week_1",)) -> Done:
     line = [str(COMMAND), "export", *sets, "--course", "course", "--json", *words]
-    done = subprocess.run(
+    done = forked.run(
         line,
         cwd=folder,
         env=dict(os.environ),
@@ -115,7 +115,7 @@ def export(folder: Path, *words: str, sets: tuple[str, ...] = ("week_1",)) -> Do
 
 def points(folder: Path) -> dict[str, float]:
     line = [str(COMMAND), "report", "week_1", "--course", "course", "--json"]
-    done = subprocess.run(line, cwd=folder, capture_output=True, encoding="utf-8", timeout=120, check=True)
+    done = forked.run(line, cwd=folder, capture_output=True, encoding="utf-8", timeout=120, check=True)
     return {name: each["points"] for name, each in json.loads(done.stdout)["students"].items()}
 
 

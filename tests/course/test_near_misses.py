@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests import forked
 
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import filled_in
@@ -25,7 +26,7 @@ from .conftest import COMMAND, STUDENTS, Graded, grade
 
 def command(course: Path, *words: str) -> subprocess.CompletedProcess[str]:
     line = [str(COMMAND), words[0], "one", "--course", str(course), *words[1:]]
-    return subprocess.run(line, capture_output=True, encoding="utf-8", timeout=120, check=False)
+    return forked.run(line, capture_output=True, encoding="utf-8", timeout=120, check=False)
 
 
 def near_misses(course: Path) -> list[dict[str, Any]]:

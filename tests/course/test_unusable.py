@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import os
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from tests import forked
 
 from .conftest import SET, grade
 
@@ -80,7 +80,7 @@ def test_nbgraders_autograde_follows_no_links_beside_the_notebook(handed_in: Pat
     (beside / "mine.csv").write_text("1,2")
     os.mkfifo(beside / "pipe")
     program = Path(sys.executable).with_name("nbgrader")
-    done = subprocess.run(
+    done = forked.run(
         [program, "autograde", "one"], cwd=handed_in, capture_output=True, encoding="utf-8", timeout=120, check=False
     )  # fmt: skip
     assert done.returncode == 0, done.stderr

@@ -9,7 +9,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 
-pytest.importorskip("numba")  # references are followed in compiled steps
+pytest.importorskip("numba")  # for what is imported below; the marker has the tests run where it is
 
 from calibration import FAMILIES, calibrated, ratios
 from ready.contacts import of_springs
@@ -17,6 +17,8 @@ from ready.integrals import of_ball, of_spheres
 from ready.motion import followed
 
 from corollary.scenes.catalogue import SCENES, run
+
+pytestmark = pytest.mark.fast  # references are followed in compiled steps
 
 
 def test_every_ready_scene_is_calibrated():

@@ -8,14 +8,13 @@ import re
 import shutil
 import sqlite3
 import subprocess
-import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from tests import forked
 
-COMMAND = Path(sys.executable).with_name("corollary")
 COMMANDS = (
     "list",
     "show",
@@ -76,30 +75,6 @@ FAULTY = {  # file: (problem, solution)
     "partless": (PROBLEM.replace("X1.1", "X3.6"), SOLUTION.replace(', answers="a"', "")),
     "unsolved": (PROBLEM.replace("X1.1", "X3.7"), None),
 }
-SERVER = """
-import io, json, os, sys, traceback
-import latex2mathml.converter, markdown_it, matplotlib.figure, msgspec, nbformat, nbgrader.api, nbgrader.apps, numpy
-import rich.console, rich.table, sympy, yaml
-
-for line in sys.stdin:
-    job = json.loads(line)
-    child = os.fork()
-    if not child:
-        for number, name in ((1, "out"), (2, "err")):
-            os.dup2(os.open(job[name], os.O_WRONLY | os.O_CREAT | os.O_TRUNC), number)
-        os.chdir(job["cwd"])
-        sys.argv = ["corollary", *job["argv"]]
-        try:
-            from corollary.cli.main import main
-            main()
-        except SystemExit as end:
-            sys.stdout.flush()
-            os._exit(end.code or 0)
-        except BaseException:
-            traceback.print_exc()
-            os._exit(70)
-    print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), flush=True)
-"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,30 +88,15 @@ Run = Callable[..., Said]
 
 
 @pytest.fixture(scope="session")
-def run(tmp_path_factory) -> Iterator[Run]:
+def run(tmp_path_factory) -> Run:
     """The front door in a fresh child for each call; only libraries of others are loaded beforehand, to save the time."""
     place = tmp_path_factory.mktemp("said")
-    server = subprocess.Popen(
-        [sys.executable, "-c", SERVER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-    )
-    assert server.stdin is not None
-    assert server.stdout is not None
-    stdin, stdout = server.stdin, server.stdout
 
     def call(*argv: object, cwd: Path = place) -> Said:
-        job = {
-            "argv": list(map(str, argv)),
-            "out": str(place / "out"),
-            "err": str(place / "err"),
-            "cwd": str(cwd),
-        }
-        stdin.write(json.dumps(job) + "\n")
-        stdin.flush()
-        return Said(int(stdout.readline()), (place / "out").read_text(), (place / "err").read_text())
+        done = forked.run([forked.COMMAND, *argv], cwd=cwd)
+        return Said(done.returncode, done.stdout, done.stderr)
 
-    yield call
-    stdin.close()
-    server.wait(timeout=30)
+    return call
 
 
 @pytest.fixture(scope="session")
@@ -547,6 +507,12 @@ def test_through_the_installed_command(argv, words, tmp_path):
     """The same without anything loaded beforehand."""
     plain = {name: value for name, value in os.environ.items() if not name.startswith("COROLLARY")}
     done = subprocess.run(
-        [COMMAND, *argv], capture_output=True, text=True, cwd=tmp_path, timeout=60, env=plain, check=False
+        [forked.COMMAND, *argv],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        timeout=60,
+        env=plain,
+        check=False,
     )
     refused(Said(done.returncode, done.stdout, done.stderr), words)

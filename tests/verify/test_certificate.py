@@ -79,6 +79,28 @@ def test_without_a_checker_the_script_is_written_and_checking_is_refused(tmp_pat
     assert "apt install coq" in done.stderr
 
 
+def test_what_algebra_proves_and_the_kernel_does_not_is_complained_of(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr("corollary.cli.certify.checker", lambda: "a kernel")
+
+    def one_refused(_solution, steps):
+        names = [each.name for step in steps for each in step.lemmas]
+        return frozenset(names[:1])
+
+    monkeypatch.setattr("corollary.cli.certify.unproven", one_refused)
+    command = ["certify", "X12.5", "--bank", "chapter", "--check", "-o", str(tmp_path / "key.v"), "--json"]
+    done = CliRunner().invoke(app, command)
+    assert done.exit_code == 1, done.output
+    (wrong,) = [each for each in json.loads(done.stdout)["claims"] if each["outcome"] == "not proven"]
+    assert "verify proves it by algebra, the kernel does not" in done.stderr
+    assert done.stderr.count("the kernel does not") == 1
+    assert wrong["claim"] in done.stderr
+    monkeypatch.setattr("corollary.cli.certify.unproven", lambda _solution, _steps: frozenset())
+    done = CliRunner().invoke(app, command)
+    assert done.exit_code == 0
+    assert "the kernel does not" not in done.stderr
+
+
 @pytest.mark.parametrize("code", ["X12.5", "S12.5el"])
 @pytest.mark.client
 @pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed (apt install coq)")

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from corollary.formula.syntax import author_formula
 from corollary.problem.conditions import relations
 from corollary.problem.reader import read_problem
+from corollary.verify import laws
 from corollary.verify.obligations import nonlinear, settle
 from corollary.verify.obligations.box import Box
 from corollary.verify.obligations.obligation import Obligation
@@ -233,3 +236,53 @@ def test_an_empty_clause_is_proven_by_nobody(tmp_path):
     found = settling.settle(Obligation("claimed", "it", 1, ((),)))
     assert found.outcome == "counter-example"
     assert found.numbers
+
+
+ON_ONE_LINE = """\
+u, w = unknowns("u w")
+return derivation(step(u, "Half.", law("Half", "u = t/2")), step(w, "As fast.", law("Same", "w = v"), answers="a"))
+"""
+
+
+@pytest.mark.parametrize("other", ["u", "w"])
+def test_two_steps_on_one_line_have_outcomes_of_their_own(verified, monkeypatch, other):
+    put_back = laws.put_laws_back
+
+    def only_at_points(bank, problem):
+        return [
+            replace(each, how="points") if each.names == (other,) else each
+            for each in put_back(bank, problem)
+        ]
+
+    monkeypatch.setattr(laws, "put_laws_back", only_at_points)
+    found = of_kind(verified(ON_ONE_LINE, problem=RIVER % ""), "laws hold")
+    assert len({each.line for each in found}) == 1
+    outcomes = {each.claim: each.outcome for each in found}
+    assert outcomes == {
+        f"the laws of {name} hold for what is found": "sampled" if name == other else "proven"
+        for name in "uw"
+    }
+
+
+IN_CASES = """\
+(u,) = unknowns("u")
+def found(formula):
+    return step(u, "So.", law("Speed", formula), answers="a")
+return derivation(cases(case("slow", 2*t <= v, found("u = t/2")), case("fast", 2*t > v, found("u = t"))))
+"""
+
+
+def test_two_cases_on_one_line_have_outcomes_of_their_own(verified, monkeypatch):
+    put_back = laws.put_laws_back
+
+    def only_at_points(bank, problem):
+        return [
+            replace(each, how="points") if each.case == "fast" else each for each in put_back(bank, problem)
+        ]
+
+    monkeypatch.setattr(laws, "put_laws_back", only_at_points)
+    checked = verified(IN_CASES, problem=RIVER % "")
+    found = of_kind(checked, "laws hold")
+    assert [(each.case, each.outcome) for each in found] == [("slow", "proven"), ("fast", "sampled")], (
+        checked.complaints
+    )

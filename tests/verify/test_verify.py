@@ -184,6 +184,7 @@ def test_a_printed_value_that_cannot_be_read(verified, good):
         ("2*m*v", "the derivation gives m*v"),
         ("1.6 kg m/s", "they differ by one in the last figure"),
         ("1.7 kg m/s", "the derivation gives 1.5 kg m/s"),
+        ("1.5000004 kg m/s", "the derivation gives 1.5 kg m/s"),
         ("2 kg m/s", ""),  # 1.5 to one figure
     ],
 )
@@ -191,6 +192,13 @@ def test_what_may_be_printed(verified, good, text, said):
     checked = verified(good.replace("1.5 kg m/s", text))
     assert bool(checked.complaints) == bool(said), checked.complaints
     assert all(said in each and each.startswith("cart.py:12: (1.1) prints") for each in checked.complaints)
+
+
+def test_what_differs_in_the_eighth_figure_is_written_so(verified, good, problem):
+    """A complaint that shows one number twice helps nobody."""
+    fine = problem.replace("value: 0.5, from: 0.2", "value: 0.50000013, from: 0.2")
+    (complaint,) = verified(good.replace("1.5 kg m/s", "1.5000000 kg m/s"), problem=fine).complaints
+    assert "the derivation gives 1.5000004 kg m/s" in complaint
 
 
 @pytest.mark.parametrize(("printed", "holds"), [("150 kg m/s", True), ("154 kg m/s", False)])
@@ -330,3 +338,39 @@ def test_an_observation_that_a_find_rests_on(verified):
             step(F, "Per time.", mean_force(F, p, t), answers="b"))
         """)
     met(checked, "scene kick does not observe colour; it observes", 5, "cart.md")
+
+
+CANCELS = """\
+---
+code: X1.1
+title: A cart
+given:
+  m: {is: mass, value: 0.5, from: 0.2, to: 0.9, step: 0.1, unit: kg}
+  v: {is: first speed, value: 34.1, from: 34.1, to: 35.1, step: 0.1, unit: m/s}
+  t: {is: second speed, value: 36, from: 36, to: 37, step: 0.1, unit: m/s}
+require:
+  - m > 0
+---
+A cart of {{m}} at {{v}}, and then at {{t}}.
+
+## Momentum {#a .value unit="kg*m/s"TOLERANCE}
+How much momentum is won?
+"""
+DIFFERENCE = """\
+return derivation(
+    step(F, "Mass times velocity.", law("Before", "F = m*v")),
+    step(p, "The difference.", law("Difference", "p = m*t - F"), answers="a"),
+)
+"""
+
+
+def test_rounding_by_more_than_two_per_cent_names_the_tolerance(verified):
+    cancelling = verified(DIFFERENCE, problem=CANCELS.replace("TOLERANCE", ""))
+    (complaint,) = cancelling.complaints
+    assert "honest rounding" in complaint
+    assert 'give the part a tolerance="5 %"' in complaint
+
+
+def test_numbers_that_rounding_moves_less_than_the_part_forgives_are_dealt(verified):
+    own = ' tolerance="20 %" because="two terms nearly cancel"'
+    assert verified(DIFFERENCE, problem=CANCELS.replace("TOLERANCE", own)).complaints == ()

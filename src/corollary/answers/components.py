@@ -32,7 +32,7 @@ ALONG = re.compile(rf"(?P<letter>{LETTERS})(?=\s*(?:[+\-)]|$))|(?<![A-Za-z(])(?P
 BRACKETS = {"(": ")", "[": "]", "{": "}", "<": ">", "⟨": "⟩"}
 MARKS = (
     r"\s*[;|]\s*",
-    r",\s+(?:and\s+)?|\s+and\s+|\s*&\s*",
+    r",\s+(?:(?:and|und|og|et)\s+)?|\s+(?:and|und|og|et)\s+|\s*&\s*",
     r",",
     r"(?<=[0-9.])\s+(?=[+\-]?[0-9])",
     r"\s+(?=[^\W\d]\w{0,7}['*]?\s*[=≈]\s*[-+]?[0-9.,])",  # `K1=3 K2=4`
@@ -254,11 +254,15 @@ def _axis(found: re.Match[str]) -> int:
 
 
 def _directed(inside: str, unit: str, count: int) -> list[str] | ParseError:
-    """`3 i - 4 j` cut at its directions; a direction left out is 0."""
-    components: dict[int, str] = {}
+    """`3 i - 4 j` cut at its directions, each with a unit of its own behind it or none; a direction left out is 0."""
+    components, own = dict[int, str](), list[str]()
     at = 0
     for found in ALONG.finditer(inside):
-        piece = re.sub(r"^\s*([+-]?)\s*", r"\1", inside[at : found.start()]).strip().rstrip("*").strip()
+        behind, piece = (
+            _after_unit(inside[at : found.start()]) if components else ("", inside[at : found.start()])
+        )
+        own += [behind] if components else []
+        piece = re.sub(r"^\s*([+-]?)\s*", r"\1", piece).strip().rstrip("*").strip()
         axis = _axis(found)
         if axis in components or axis >= count:
             return refused(
@@ -268,10 +272,30 @@ def _directed(inside: str, unit: str, count: int) -> list[str] | ParseError:
             )
         components[axis] = piece + "1" if piece in ("", "+", "-") else piece
         at = found.end()
-    unit = unit or inside[at:].strip()
+    last = inside[at:].strip()
+    if any(own):
+        components = {
+            axis: f"{piece} {behind}".strip()
+            for (axis, piece), behind in zip(components.items(), (*own, last), strict=True)
+        }
+        last = ""
+    unit = unit or last
     units = [re.sub(r"^[+-]?[0-9.,e ]*", "", piece) for piece in components.values()] if not unit else [unit]
     missing = f"0 {units[0]}".strip()
     return [f"{components[axis]} {unit}".strip() if axis in components else missing for axis in range(count)]
+
+
+def _after_unit(text: str) -> tuple[str, str]:
+    """The unit of the component before and the next one, with one sign: ` m/s + -4.7` between two directions."""
+    for sign in reversed(list(re.finditer(r"(?<!\^)[+-]", text))):
+        unit = text[: sign.start()].strip()
+        if not unit or _is_unit(unit):
+            rest = text[sign.end() :].strip()
+            if rest[:1] in ("+", "-"):
+                minus = (sign[0] == "-") != (rest[0] == "-")
+                return unit, ("-" if minus else "") + rest[1:].strip()
+            return unit, sign[0] + rest
+    return "", text
 
 
 def without_preamble(normalized: str) -> tuple[str, int]:
@@ -288,4 +312,7 @@ def without_preamble(normalized: str) -> tuple[str, int]:
 
 
 def _labels(normalized: str) -> bool:
-    return len([piece for piece in re.split(r"[;,]|\band\b", normalized) if NAMED.match(piece)]) > 1
+    return (
+        len([piece for piece in re.split(r"[;,]|\b(?:and|und|og|et)\b", normalized) if NAMED.match(piece)])
+        > 1
+    )

@@ -118,7 +118,11 @@ def _one_of(stated: ExerciseRecord, name: str, place: int, count: int) -> Exerci
         return None
     published = stated.published[place : place + 1]
     return replace(
-        stated, id=f"{stated.id}{OF_SEVERAL}{name}", asked=(stated.asked[place],), published=published
+        stated,
+        id=f"{stated.id}{OF_SEVERAL}{name}",
+        asked=(stated.asked[place],),
+        published=published,
+        forgives=stated.forgives[place : place + 1],
     )
 
 
@@ -171,6 +175,7 @@ def joined(exercise: ExerciseRecord, stated: ExerciseRecord | None, bare: bool =
         source=exercise.source or stated.source,
         statement=exercise.statement or stated.statement,
         note="; ".join(notes),
+        forgives=stated.forgives or (exercise.forgives if len(exercise.forgives) == len(asked) else ()),
     )
 
 

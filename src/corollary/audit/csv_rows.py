@@ -13,7 +13,7 @@ from corollary.problem.front_matter import ListNode, Node, TableNode, TextNode
 SEPARATOR = ";"
 IN_WORDS = {"statement", "source", "address", "licence"}  # texts that may have a semicolon
 FIELDS = IN_WORDS | {
-    "id", "problem", "laws", "given", "asked", "published", "where", "convention", "constants", "figures", "mistakes",
+    "id", "problem", "laws", "given", "asked", "published", "where", "convention", "constants", "figures", "mistakes", "forgives",
 }  # fmt: skip
 
 

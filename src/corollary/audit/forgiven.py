@@ -1,4 +1,4 @@
-"""How far off the key a question of PrairieLearn lets an answer be."""
+"""How far off the key a question lets an answer be, as each kind of file says it."""
 
 from __future__ import annotations
 
@@ -32,6 +32,31 @@ def forgiven_by(element: Mapping[str, str]) -> ForgivenError | None:
             case _:
                 return None
     return None
+
+
+def forgiven_from(text: str) -> ForgivenError:
+    """`1 %` of the key, or a number in the unit of the answer. Raises ValueError."""
+    number, percent = text.strip(), False
+    if number.endswith("%"):
+        number, percent = number[:-1], True
+    try:
+        size = float(number)
+    except ValueError:
+        size = math.nan
+    if not _sizes(size):
+        raise ValueError(
+            f"{text!r} is no tolerance; write a share of the answer, `1 %`, or a number in its unit, `0.5`"
+        )
+    return ForgivenError(size / 100, 0.0) if percent else ForgivenError(0.0, size)
+
+
+def forgiven_absolutely(text: str) -> ForgivenError | None:
+    """The tolerance of a number in Moodle or R/exams; None where none is stated, or it is worked out."""
+    try:
+        size = float(text)
+    except ValueError:
+        return None
+    return ForgivenError(0.0, size) if _sizes(size) else None
 
 
 def _sizes(*numbers: float) -> bool:

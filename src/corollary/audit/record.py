@@ -94,7 +94,8 @@ class ForgivenError:
 
     def refuses(self, answer: float, key: float) -> bool:
         """In the unit of the answer."""
-        return abs(answer - key) > (self.relative * abs(key) + self.absolute) * (1 + 1e-9)
+        noise = 1e-12 * abs(key)  # of units converted
+        return abs(answer - key) > (self.relative * abs(key) + self.absolute) * (1 + 1e-9) + noise
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,12 +8,14 @@ from pathlib import Path
 from typing import TypeVar
 
 from corollary.audit.csv_rows import rows_in
+from corollary.audit.forgiven import forgiven_from
 from corollary.audit.reading import asked_from, assumed_from, given_from
 from corollary.audit.record import MOST_RECORDS, AssumedValue, ExerciseRecord, LawText, StatedGiven, WrongLaw
 from corollary.audit.text_file import text_of
+from corollary.audit.yaml_pieces import records_node
 from corollary.formula.syntax import author_formula
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.problem.front_matter import ListNode, Node, Reader, TableNode, TextNode, document
+from corollary.problem.front_matter import ListNode, Node, Reader, TableNode, TextNode
 from corollary.units.constants import CONSTANTS
 
 LAST_LINE = 1 << 31
@@ -40,7 +42,7 @@ def records_in(path: Path, answers: bool = True) -> tuple[ExerciseRecord, ...]:
     """
     source = text_of(path)
     faults: list[Diagnostic] = []
-    root = rows_in(path, source) if path.suffix.lower() == ".csv" else document(path, source, faults)
+    root = rows_in(path, source) if path.suffix.lower() == ".csv" else records_node(path, source, faults)
     of_file: list[Diagnostic] = []
     head, listed = _head(path, root, of_file)
     of_file += [each for each in faults if not listed or each.line < listed[0].line]
@@ -51,7 +53,8 @@ def records_in(path: Path, answers: bool = True) -> tuple[ExerciseRecord, ...]:
     against: list[Diagnostic] = []
     for node, end in zip(listed, ends, strict=False):
         complaints = [each for each in faults if node.line <= each.line < end]
-        record = _record(path, node, head, complaints, answers)
+        broken = bool(complaints) and isinstance(node, TextNode)  # no YAML, and said so already
+        record = None if broken else _record(path, node, head, complaints, answers)
         if record is not None and record.id in found:
             first = found[record.id].line
             complaints.append(
@@ -108,6 +111,11 @@ def _record(
             node.line,
             f"record {own_id} asks for {len(asked)} and publishes {len(published)}; one answer each, please",
         )
+    forgives = tuple(_read(row, "forgives", forgiven_from))
+    if len(forgives) not in {0, len(asked)}:
+        row.complain(
+            node.line, f"record {own_id} asks for {len(asked)} and forgives {len(forgives)}; one each, please"
+        )
     own = _conventions(row, row.list_of("convention"))
     for_all = _conventions(row, head.conventions)
     here = {given.symbol for given in given} | {each.symbol for each in own if isinstance(each, AssumedValue)}
@@ -136,6 +144,7 @@ def _record(
         address=row.text("address", head.texts.get("address", "")),
         licence=row.text("licence", head.texts.get("licence", "")),
         statement=row.text("statement", ""),
+        forgives=forgives,
     )
     row.finish()
     return found if len(complaints) == before else None

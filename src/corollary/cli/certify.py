@@ -16,6 +16,7 @@ from corollary.verify.certificate.check import NoChecker, checker, unproven
 from corollary.verify.certificate.lemmas import Lemma
 from corollary.verify.certificate.record import keep
 from corollary.verify.certificate.script import CertifiedStep, certificate, script
+from corollary.verify.obligations.laws import laws_of
 from corollary.verify.obligations.settle import settled
 
 
@@ -70,7 +71,7 @@ def _proven_by_algebra(solution: Solution) -> frozenset[str]:
         find for case in (solution, *(each.solution for each in solution.regimes)) for find in case.unknowns
     ):
         names = ", ".join(find.names)
-        if ("laws hold", f"the laws of {names} hold for what is found") in found:
+        if ("laws hold", laws_of(find.names)) in found:
             words.add(f"the laws hold for {names}")
         if ("one root", f"{names} is the only admissible root of its laws") in found:
             words.add(f"nothing else is {names}")

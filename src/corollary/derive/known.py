@@ -5,7 +5,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from copy import copy
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, cast
 
@@ -117,6 +118,20 @@ class Known:
         if not fitting:
             raise ValueError(f"it holds for none of {len(variants)} draws; mend its condition, or the ranges")
         self._points = [point(variant, givens) for variant in fitting[:POINTS]]
+
+    def copied(self) -> Known:
+        """The same, so that what is found from here on does not change this."""
+        found = copy(self)
+        found.formulas, found.aside, found.measured = (
+            dict(self.formulas),
+            dict(self.aside),
+            set(self.measured),
+        )
+        found.functions, found.dimensions = list(self.functions), dict(self.dimensions)
+        found._points = [
+            replace(each, values=dict(each.values), balls=dict(each.balls)) for each in self._points
+        ]
+        return found
 
     @property
     def letters(self) -> set[sympy.Symbol]:

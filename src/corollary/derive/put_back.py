@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import sympy
@@ -27,14 +27,17 @@ from corollary.problem.problem import Problem
 class PutBack:
     """An equation of a law, or a claim, with all that was found put in: how it holds, or the sentence that says why not.
 
-    `line` is that of the step or claim. What is found by a simulation has no formula to be put in ("simulated"); "refused" is a claim.
-    An equation that differs does so `at` numbers, which the sentence tells with both values.
+    `line` is that of the step or claim, `names` what a step finds, `case` the one it stands in. What is found by a simulation has
+    no formula to be put in ("simulated"); "refused" is a claim. An equation that differs does so `at` numbers, which the sentence
+    tells with both values.
     """
 
     line: int
     how: How | Literal["simulated", "refused"]
     complaint: str = ""
     at: Mapping[str, str] = field(default_factory=lambda: NO_NUMBERS)
+    names: tuple[str, ...] = ()
+    case: str = ""
 
 
 def put_laws_back(bank: Bank, problem: Problem) -> list[PutBack]:
@@ -42,7 +45,7 @@ def put_laws_back(bank: Bank, problem: Problem) -> list[PutBack]:
     found: list[PutBack] = []
     for solver in solvers(problem, load(bank, problem)):
         solver.solution()
-        found += _put_back(solver)
+        found += (replace(each, case=solver.case) for each in _put_back(solver))
     return found
 
 
@@ -58,10 +61,10 @@ def _put_back(solver: Solver) -> Iterator[PutBack]:
         if isinstance(step, Step):
             for law in (*step.laws, *(law for route in step.routes for law in route.laws)):
                 for one, other in sides(law):
-                    if (one - other).free_symbols & solver.known.measured:
-                        yield PutBack(line, "simulated")
-                    else:
-                        yield _one_put_back(one, other, law, solver, line)
+                    simulated = (one - other).free_symbols & solver.known.measured
+                    usual = PutBack(line, "simulated")
+                    found = usual if simulated else _one_put_back(one, other, law, solver, line)
+                    yield replace(found, names=tuple(symbol.name for symbol in step.unknowns))
 
 
 def _one_put_back(one: sympy.Expr, other: sympy.Expr, law: Law, solver: Solver, line: int) -> PutBack:

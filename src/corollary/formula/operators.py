@@ -76,6 +76,21 @@ def read_operators(tree: Expr, letters: Collection[str], functions: Collection[s
             return rebuilt(tree, tuple(map(within, children(tree))))
 
 
+def as_stated(tree: Expr) -> Expr:
+    """The law as an author types it, to be written: the inverse of `read_operators`."""
+    match tree:
+        case Call("derivative", (of, Name(by), Number(order))):
+            often = "" if order == 1 else str(order)
+            top = Name(f"d{often}{of.name}") if isinstance(of, Name) else Call("d", (as_stated(of),))
+            return Quotient(top, Name(f"d{by}{often}"))
+        case Call("integral", arguments):
+            return Call("int", tuple(map(as_stated, arguments)))
+        case Call("value", (Name(function), at)):
+            return Call(function, (as_stated(at),))
+        case _:
+            return rebuilt(tree, tuple(map(as_stated, children(tree))))
+
+
 def bound_letters(tree: Expr) -> frozenset[str]:
     """The letters over which something is integrated."""
     found = (node for node in walk(tree) if isinstance(node, Call) and node.function == INTEGRAL)

@@ -85,7 +85,7 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
     except Undefined as error:
         return None, f"an answer does not exist: {error}"
     for part, truth in key.truths.items():
-        if truth.noise > MOST:
+        if truth.noise > max(MOST, variant.problem.part(part).tolerance):
             return (
                 None,
                 f"part {part}: honest rounding to three figures already moves the answer by {truth.noise:.1%}",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from corollary.answers.quantity import Reading, read_quantity
@@ -9,6 +10,7 @@ from corollary.answers.verdict import Right, Unread
 from corollary.derive.solution import Solution
 from corollary.derive.statements import Printed
 from corollary.formula.errors import ParseError
+from corollary.formula.numerals import figures_apart
 from corollary.formula.text import text
 from corollary.formula.value import Items, Text
 from corollary.grading.judge import judge
@@ -21,6 +23,7 @@ from corollary.units.unit import Unit, show
 from corollary.verify.checked import Tally
 from corollary.verify.figures import ABOUT, as_printed
 
+FIGURES = 6  # of what the derivation gives; more where the printed number would look the same
 ELSEWHERE = (
     3  # variants on which a printed formula is tried besides: at one set of numbers a wrong one may be right
 )
@@ -85,7 +88,10 @@ def readings_of(part: Part, entry: Printed) -> list[tuple[str, Reading]]:
 def _off(value: float, printed: str, read: Reading, unit: Unit) -> str:
     """What the derivation gives for a printed quantity, where that is something else."""
     measured_in = read.unit or unit
-    derived = f"the derivation gives {measured_in.from_si(value):.6g} {show(measured_in)}".rstrip()
+    ratio, pi = read.si
+    mine, theirs = measured_in.from_si(value), measured_in.from_si(float(ratio) * math.pi**pi)
+    number = f"{mine:.{figures_apart((mine, theirs), FIGURES)}g}"
+    derived = f"the derivation gives {number} {show(measured_in)}".rstrip()
     match as_printed(value, printed, read, unit):
         case "agrees":
             return ""

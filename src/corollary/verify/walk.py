@@ -79,6 +79,8 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
             if share == 1
             else narrower(tried) or "change the ranges, or ask for the formula",
         )
+        if "honest rounding" in why:
+            how += '; or give the part a tolerance="5 %" (up to 20 %), with its because="…"'
         say(f"{ranges}: {share:.0%} of the draws may not be assigned ({why}); {how}")
     elif size(problem) > 1 and not met:
         tally.complain(f"{ranges}: no variant keeps all the conditions; widen the ranges, or drop one")

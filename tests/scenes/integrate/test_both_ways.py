@@ -13,10 +13,11 @@ from corollary.scenes.models.pair import Pair, meet
 from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import BadSetting, GuardFailed
 
+pytestmark = pytest.mark.fast
+
 
 @pytest.fixture
 def compiled():
-    pytest.importorskip("numba", reason="compiled steps need numba (pip install '.[fast]')")
     return partial(regularised.collide, compiled=True)
 
 

@@ -6,6 +6,7 @@ import random
 import numpy as np
 import pytest
 from scipy.integrate import quad, solve_ivp
+from tests.shares import share
 
 from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.rod import Rod, String
@@ -59,7 +60,7 @@ def test_from_rest_nothing_is_squeezed(name, tolerance):
         assert abs(value - true) <= error < 1e-4
 
 
-@pytest.mark.parametrize("draw", range(12))
+@pytest.mark.parametrize("draw", share(range(12), 4))
 def test_a_bead_slides_from_side_to_side(draw):
     """What presses a bead swings: friction takes mu |N| t of its momentum."""
     rng = random.Random(draw)

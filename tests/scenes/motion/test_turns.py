@@ -7,6 +7,7 @@ import math
 import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
+from tests.shares import share
 
 from corollary.scenes.body import Body
 from corollary.scenes.forces.drag import Drag
@@ -112,7 +113,7 @@ def test_of_many_turns_the_nearest_and_the_farthest_are_told():
 
 
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-8, 1e-10])
-@pytest.mark.parametrize("until", [13.1, 46.7, 569.0])
+@pytest.mark.parametrize("until", share([13.1, 46.7, 569.0], 2))
 def test_a_long_watch_at_a_loose_tolerance_has_its_period_still(tolerance, until):
     """About a charged wire: the period is the integral of the radial motion, from one turning point to the other and back."""
     pull, mass, place, speed = 2.65, 2.3, (-1.358, 0.681), (-0.43, -0.86)

@@ -7,9 +7,10 @@ from dataclasses import replace
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
+from corollary.audit.forgiven import forgiven_absolutely
 from corollary.audit.readers.safe_xml import words_of, xml_of
 from corollary.audit.readers.straight_line import NotRead, StraightLine, unrounded
-from corollary.audit.record import MOST_RECORDS, ExerciseRecord
+from corollary.audit.record import MOST_RECORDS, ExerciseRecord, ForgivenError
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 WILDCARD = re.compile(r"\{([A-Za-z]\w*)\}")
@@ -36,7 +37,8 @@ def _record(path: Path, question: Element, place: int) -> ExerciseRecord:
     try:
         match question.get("type"):
             case "numerical":
-                return replace(bare, published=(f"{_right(question)} {_unit(question)}".strip(),))
+                published = f"{_right(question)} {_unit(question)}".strip()
+                return replace(bare, published=(published,), forgives=(_forgiven(question),))
             case "shortanswer":
                 return replace(bare, published=(_with_digits(_right(question)),))
             case "calculated" | "calculatedsimple":
@@ -59,6 +61,13 @@ def _right(question: Element) -> str:
     if text == "*":
         raise NotRead("every answer earns full marks")
     return text
+
+
+def _forgiven(question: Element) -> ForgivenError | None:
+    """What the one answer with full marks forgives; where it stands twice, what either does."""
+    full = [each for each in question.findall("answer") if _number_of(each.get("fraction")) == 100]
+    stated = [forgiven_absolutely(each.findtext("tolerance") or "") for each in full]
+    return None if None in stated else max(filter(None, stated), key=lambda each: each.absolute, default=None)
 
 
 def _number_of(text: str | None) -> float:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+from corollary.audit.forgiven import forgiven_absolutely
 from corollary.audit.readers.straight_line import (
     MOST_ANSWERS,
     MOST_STATEMENTS,
@@ -18,7 +19,7 @@ from corollary.audit.readers.straight_line import (
     refuse_long,
     unrounded,
 )
-from corollary.audit.record import ExerciseRecord
+from corollary.audit.record import ExerciseRecord, ForgivenError
 from corollary.audit.text_file import LARGEST_PROGRAM, text_of
 
 BEGINS = re.compile(r"[\t >]*(`{3,})\s*\{r\b([^}]*)\}|[\t ]*<<([^>]*)>>=")
@@ -72,7 +73,9 @@ def rexams_records(path: Path) -> tuple[ExerciseRecord, ...]:
         file = _file_of(text_of(path, LARGEST_PROGRAM))
         match file.meta.get("extype", "(none)"):
             case "num":
-                return (_record(bare, file, lambda: file.meta.get("exsolution", "")),)
+                forgives = (forgiven_absolutely(file.meta.get("extol", "")),)
+                solution = partial(file.meta.get, "exsolution", "")
+                return (_record(replace(bare, forgives=forgives), file, solution),)
             case "schoice" | "mchoice":
                 solution = file.meta.get("exsolution", "")
                 return (_record(bare, file, lambda: _right(file.options, solution)),)
@@ -94,13 +97,21 @@ def _cloze(bare: ExerciseRecord, file: RFile) -> tuple[ExerciseRecord, ...]:
         len(solution) if kind in {"schoice", "mchoice"} else 1
         for kind, solution in zip(kinds, solutions, strict=True)
     ]
+    tolerances = _tolerances(file.meta.get("extol", ""), len(kinds))
     options, found, at = file.options, list[ExerciseRecord](), 0
     for place, (kind, solution, count) in enumerate(zip(kinds, solutions, counts, strict=True), 1):
         own = options[at : at + count] if len(options) == sum(counts) else []
         at += count
         key = partial(_of_cloze, kind, solution, own)
-        found.append(_record(replace(bare, id=f"{bare.id}#{place}"), file, key))
+        forgiven = tolerances[place - 1] if kind == "num" else None
+        found.append(_record(replace(bare, id=f"{bare.id}#{place}", forgives=(forgiven,)), file, key))
     return tuple(found)
+
+
+def _tolerances(text: str, count: int) -> list[ForgivenError | None]:
+    """Of each answer of a cloze: one for all, or one for each."""
+    stated = [forgiven_absolutely(each.strip()) for each in text.split("|")]
+    return stated * count if len(stated) == 1 else stated if len(stated) == count else [None] * count
 
 
 def _of_cloze(kind: str, solution: str, options: list[str]) -> str:

@@ -20,7 +20,7 @@ from corollary.formula.ast import (
     children,
     rebuilt,
 )
-from corollary.formula.operators import OPERATORS
+from corollary.formula.operators import OPERATORS, as_stated
 from corollary.formula.text import text
 from corollary.laws.law import Law
 
@@ -46,7 +46,7 @@ class Bend:
 
     @property
     def text(self) -> str:
-        return text(self.law.textbook)
+        return text(as_stated(self.law.textbook))
 
 
 def bends(law: Law) -> Iterator[Bend]:
@@ -65,8 +65,11 @@ def _of_sides(whole: Relation) -> Iterator[tuple[str, Relation]]:
     if right != NOTHING:
         for kind, bent in _of(right, top=True):
             yield kind, Relation("=", left, bent)
+        if isinstance(right, Sum) and left != NOTHING:
+            for kind, bent in _of_term(right):
+                yield kind, Relation("=", left, bent)
     if not isinstance(left, Name):
-        single = right != NOTHING and not isinstance(left, Sum)
+        single = not isinstance(left, Sum)
         for kind, bent in _of(left, top=not single):
             yield kind, Relation("=", bent, right)
 

@@ -8,12 +8,14 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from corollary.answers.tolerance import within
+from corollary.derive.again import differential
 from corollary.derive.applied import applied
 from corollary.derive.cases import relations
 from corollary.derive.derivation import Always, Entry, Limit, Special
 from corollary.derive.forces import sum_along
 from corollary.derive.free_body import Forces
 from corollary.derive.load import Loaded, NotDerivable
+from corollary.derive.roots import exchanged
 from corollary.derive.simulation import Seen, Simulation, simulations_of
 from corollary.derive.solution import ClosedForms, Solution
 from corollary.derive.statements import Choice, Confirm, Printed, Step
@@ -31,7 +33,9 @@ from corollary.scenes.run import BadSetting, GuardFailed, Run
 from corollary.verify.expected_answers import difference, foreseen, in_order
 from corollary.verify.figures import as_printed
 from corollary.verify.mutation.numeric_roots import FAILURES, NumericEquations, Values
+from corollary.verify.mutation.resolved import BentSteps, Laws, Resolver
 from corollary.verify.mutation.spots import (
+    BentEquations,
     BentValues,
     Contradicted,
     FindInDoubles,
@@ -46,15 +50,15 @@ from corollary.verify.printed import readings_of
 from corollary.verify.walk import meets
 from corollary.verify.words.asked_sign import magnitudes_asked
 
-FAR, NEAR = 1e6, 1e-6  # times a given: as large, or as small, as a limit is tried at
+FAR, NEAR = (
+    (1e6, 1e3, 30.0),
+    1e-6,
+)  # times a given: as large (or, where that overflows, less), or as small, as a limit is tried at
 CLEAR = 1e-3  # relative: what differs so much in a limit is another
 EXACT = 1e-9  # relative: what differs so little is the same
 COARSE, BEYOND = 1e-4, 0.01  # relative: the error of a run for a bend, and what it must be off to count
 RUNS = 40  # scenes of one problem run for bends: those whose settings follow from the answers
 AT_LEAST = 4  # draws on which a mistake must coincide with the bent truth, to say that it does on all
-
-Laws = Mapping[int, tuple[Relation, ...]]
-"""The relations of bent laws, by the identity of the law: what is stated once may stand in several places."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +72,7 @@ class MutationCase:
     spots: Sequence[MutationSpot]  # the first is that of the printed numbers, where the case holds for them
     printed: bool
     played: Sequence[tuple[Key, Sequence[tuple[Simulation, Run]]]]
+    resolver: Resolver | None  # where a law holds derivatives, integrals or functions
 
 
 class Checks:
@@ -78,6 +83,7 @@ class Checks:
         problem, solution = case.solution.problem, case.solution
         self.parts = {found.find.part: found for found in case.every if found.find.part}
         key = case.spots[0].key if case.spots else None
+        self.laws = {id(law) for each in case.entries if isinstance(each, Step) for law in each.laws}
         self.expected: dict[str, Values] = {}
         for part_id, text in problem.expected if case.printed else ():
             numbers = foreseen(problem, problem.part(part_id), text)
@@ -116,6 +122,9 @@ class Checks:
             if isinstance(each, Confirm)
             for law in each.laws
         }
+        self.unexchanged = {id(each): self._unexchanged(each) for each in self.mistakes}
+        self.differential: dict[int, tuple[Law, bool]] = {}
+        self.again: dict[int, tuple[Laws, BentSteps]] = {}
         self.held: dict[int, tuple[Sequence[Relation], NumericEquations | None]] = {}
         self.tried: dict[tuple[int, int], list[tuple[MutationSpot, dict[str, Evaluation], float]]] = {}
 
@@ -125,22 +134,34 @@ class Checks:
         here = [
             relation
             for law, own in zip(found.entry.laws, found.find.laws, strict=True)
-            for relation in laws.get(id(law), own.here)
+            for relation in (laws[id(law)].here if id(law) in laws else own.here)
         ]
-        also = tuple(symbol.name for symbol in found.entry.also)
-        return NumericEquations(here, (*found.find.names, *also))
+        return NumericEquations(here, found.own)
 
-    def bent_steps(self, laws: Laws) -> dict[int, NumericEquations]:
-        """The equations of the steps in which a bent law stands, by place."""
-        return {
-            found.place: self.equations(found, laws)
-            for found in self.case.every
-            if isinstance(found.entry, Step) and any(id(law) in laws for law in found.entry.laws)
-        }
+    def bent_steps(self, laws: Laws) -> BentSteps:
+        """The equations of the steps that bent laws change. Raises Contradicted where one cannot be solved."""
+        if id(laws) not in self.again:
+            resolver = self.case.resolver
+            steps = BentSteps() if resolver is None else resolver.bent_steps(laws)
+            for found in self.case.every:
+                stated = found.entry.laws if isinstance(found.entry, Step) else ()
+                if found.place not in steps.equations and any(id(law) in laws for law in stated):
+                    steps.equations[found.place] = self.equations(found, laws)
+            if resolver is None:
+                return steps
+            self.again[id(laws)] = (
+                laws,
+                steps,
+            )  # solving again takes long, and the proposal asks for it once more
+        return self.again[id(laws)][1]
 
     def notice(self, laws: Laws) -> str | None:
         """The first check that fails where laws are bent; "" for none, None where no answer changes at all."""
-        steps = self.bent_steps(laws)
+        try:
+            bent_steps = self.bent_steps(laws)
+        except Contradicted:
+            return "derivation"
+        steps = bent_steps.equations
         bent: list[BentValues] = []
         changed = False
         for at, spot in enumerate(self.case.spots):
@@ -154,13 +175,13 @@ class Checks:
                 continue
             if at == 0 and (by := self._of_the_printed_numbers(spot, now)):
                 return by
-            if by := self._at(spot, now, laws):
+            if by := self._at(spot, now, laws, bent_steps):
                 return by
         if not changed:
             return None
         if by := self._claimed(steps):
             return by
-        if by := self._coinciding(bent, steps):
+        if by := self._coinciding(bent, steps, laws):
             return by
         return "scene" if self._contradicts_a_scene(bent) else ""
 
@@ -210,7 +231,7 @@ class Checks:
             )
         return not self.key.truths[part.id].is_met_by(values, APART)
 
-    def _at(self, spot: MutationSpot, now: BentValues, laws: Laws) -> str:
+    def _at(self, spot: MutationSpot, now: BentValues, laws: Laws, steps: BentSteps) -> str:
         """A check of the derivation itself that fails at these values."""
         for part_id in self.sized:
             values = now.of(self.parts[part_id].find.names)
@@ -225,12 +246,12 @@ class Checks:
                 assert isinstance(found.entry, Step)
                 stated = next(each for each in found.entry.routes if each.line == route.stated.line)
                 for law, own in zip(stated.laws, route.stated.laws, strict=True):
-                    if not self._holds(laws.get(id(law), own.here), now, spot):
+                    if not self._holds(law, own.here, laws, steps, now, spot):
                         return "route"
         for entry in self.case.entries:
             if isinstance(entry, Confirm):
                 for law in entry.laws:
-                    if not self._holds(laws.get(id(law)) or self.confirmed[id(law)], now, spot):
+                    if not self._holds(law, self.confirmed[id(law)], laws, steps, now, spot):
                         return "confirm"
             elif isinstance(entry, Forces) and not self._balanced(entry, laws, spot):
                 return "forces"
@@ -251,7 +272,7 @@ class Checks:
                 if id(balance.law) not in laws:
                     continue
                 total = ready(sum_along(entry, balance.way, slope), DOUBLES)(spot.letters)
-                for relation in laws[id(balance.law)]:
+                for relation in laws[id(balance.law)].here:
                     left, right = (
                         ready(side, DOUBLES)(spot.letters) for side in (relation.left, relation.right)
                     )
@@ -261,7 +282,7 @@ class Checks:
             return True
         return True
 
-    def _claimed(self, steps: Mapping[int, NumericEquations]) -> str:
+    def _claimed(self, steps: Mapping[int, BentEquations]) -> str:
         """A claim of a special case, or of a limit, that fails: at the first spot of which it can be said."""
         for claim in self.claims:
             for spot in self.case.spots[:3]:
@@ -271,7 +292,7 @@ class Checks:
         return ""
 
     def claim_holds(
-        self, claim: Special | Limit, steps: Mapping[int, NumericEquations], spot: MutationSpot
+        self, claim: Special | Limit, steps: Mapping[int, BentEquations], spot: MutationSpot
     ) -> bool | None:
         """Whether a claim is met, tried in numbers; None where that cannot be said, or the true values do not meet it."""
         for true, wanted, allowed in self._attempts(claim, spot):
@@ -309,8 +330,22 @@ class Checks:
                     found.append((true, wanted, allowed))
         return self.tried[memo]
 
-    def _holds(self, here: Sequence[Relation], now: BentValues, spot: MutationSpot) -> bool:
-        """Whether equations hold at the bent values, as far as it can be said: what does not hold at the true ones says nothing."""
+    def _holds(
+        self,
+        law: Law,
+        here: Sequence[Relation],
+        laws: Laws,
+        steps: BentSteps,
+        now: BentValues,
+        spot: MutationSpot,
+    ) -> bool:
+        """Whether a law holds at the bent values, as far as it can be said: what does not hold at the true ones says nothing."""
+        if id(law) not in self.differential:
+            self.differential[id(law)] = law, self.case.resolver is not None and differential(law)
+        if self.case.resolver is not None and self.differential[id(law)][1]:
+            return self.case.resolver.holds(law, laws, steps, now, spot.letters)
+        if id(law) in laws:
+            here = laws[id(law)].here
         if id(here) not in self.held:
             try:
                 self.held[id(here)] = here, NumericEquations(here, ())
@@ -325,7 +360,7 @@ class Checks:
             return True
         return equations.hold(now.letters) or not equations.hold(spot.letters)
 
-    def _coinciding(self, bent: Sequence[BentValues], steps: Mapping[int, NumericEquations]) -> str:
+    def _coinciding(self, bent: Sequence[BentValues], steps: Mapping[int, BentEquations], laws: Laws) -> str:
         """Whether nearly no draw could be dealt: on all that are tried a mistake is the truth, or an answer is nothing or absurd."""
         drawn = [
             (spot, now)
@@ -334,10 +369,12 @@ class Checks:
         ]
         if len(drawn) < AT_LEAST:
             return ""
-        reasons = [self._refused(spot, now, steps) for spot, now in drawn]
+        reasons = [self._refused(spot, now, steps, laws) for spot, now in drawn]
         return "" if "" in reasons else max(set(reasons), key=reasons.count)
 
-    def _refused(self, spot: MutationSpot, now: BentValues, steps: Mapping[int, NumericEquations]) -> str:
+    def _refused(
+        self, spot: MutationSpot, now: BentValues, steps: Mapping[int, BentEquations], laws: Laws
+    ) -> str:
         problem = self.case.solution.problem
         for part_id, found in self.parts.items():
             values, part = now.of(found.find.names), problem.part(part_id)
@@ -350,19 +387,24 @@ class Checks:
             if not any(values) and found.find.scale is None and not part.rows:
                 return "no answer"
         for each in self.mistakes:
-            if self._coincides(each, spot, now, steps):
+            if self._coincides(each, spot, now, steps, laws):
                 return "mistake"
         return ""
 
     def _coincides(
-        self, each: VisibleMistake, spot: MutationSpot, now: BentValues, steps: Mapping[int, NumericEquations]
+        self,
+        each: VisibleMistake,
+        spot: MutationSpot,
+        now: BentValues,
+        steps: Mapping[int, BentEquations],
+        laws: Laws,
     ) -> bool:
         rule, every = self.rules.get(id(each)), self.case.every
         if rule is None or spot.key is None or each.part not in spot.key.truths:
             return False
         own, last = every[each.place], every[each.at]
         truth = now.of(last.find.names)
-        if truth is None or now.unknown & own.needs or self._holds_bent_law(each, steps):
+        if truth is None or now.unknown & own.needs or self.unexchanged[id(each)] & laws.keys():
             return False
         letters = dict(now.letters)
         try:
@@ -382,10 +424,15 @@ class Checks:
             return replace(true, values=truth, scales=scaled).is_met_by(values, APART)
         return within(values, truth, true.tolerance + APART, math.hypot(*truth) or true.scale)
 
-    def _holds_bent_law(self, each: VisibleMistake, steps: Mapping[int, NumericEquations]) -> bool:
-        """Whether the mistake is made of several laws of a bent step: then its own formula may be another."""
-        entry = self.case.every[each.place].entry
-        return each.place in steps and (not isinstance(entry, Step) or len(entry.laws) > 1)
+    def _unexchanged(self, each: VisibleMistake) -> set[int]:
+        """The laws of its step, by identity, that a mistake keeps: where one of them is bent, what it leads to is another."""
+        found = self.case.every[each.place]
+        if not isinstance(found.entry, Step):
+            return set()
+        stated = zip(found.entry.mistakes, found.find.mistakes, strict=True)
+        of = [one for one, solved in stated if solved is each.mistake]
+        own = {id(law) for law in found.entry.laws}
+        return own & {id(law) for one in of for law in exchanged(found.entry.laws, one)} if of else own
 
     def _contradicts_a_scene(self, bent: Sequence[BentValues]) -> bool:
         if self.case.loaded.scene is None:
@@ -526,7 +573,9 @@ def _limit(claim: Limit, spot: MutationSpot, case: MutationCase) -> Attempts:
     if letter not in own or not isinstance(of, Name):
         return []
     if claim.to.is_infinite:
-        there = FAR * abs(own[letter] or 1.0) * (1 if claim.to.is_positive else -1)
+        sign = 1 if claim.to.is_extended_positive else -1
+        tried = [far * abs(own[letter] or 1.0) * sign for far in FAR]
     else:
-        there = ready(tree(claim.to), DOUBLES)(spot.letters) + NEAR * (own[letter] or 1.0)
-    return [(own | {letter: there}, {of.name: ready(tree(claim.equals), DOUBLES)}, CLEAR)]
+        tried = [ready(tree(claim.to), DOUBLES)(spot.letters) + NEAR * (own[letter] or 1.0)]
+    wanted = {of.name: ready(tree(claim.equals), DOUBLES)}
+    return [(own | {letter: there}, wanted, CLEAR) for there in tried]

@@ -10,9 +10,10 @@ from corollary.formula.arithmetics import NotAvailable
 from corollary.problem.part import Part
 from corollary.units.unit import show
 from corollary.verify.expected_answers import difference, in_order
-from corollary.verify.mutation.notices import EXACT, Checks, Laws, off
-from corollary.verify.mutation.numeric_roots import FAILURES, NumericEquations, Values
-from corollary.verify.mutation.spots import Contradicted, MutationSpot, bent_values, spot_at
+from corollary.verify.mutation.notices import EXACT, Checks, off
+from corollary.verify.mutation.numeric_roots import FAILURES, Values
+from corollary.verify.mutation.resolved import Laws
+from corollary.verify.mutation.spots import BentEquations, Contradicted, MutationSpot, bent_values, spot_at
 
 CASES = 8  # special cases of one problem that are tried
 MOST = 24  # bends that proposals are tried on: the others are of the same laws
@@ -43,7 +44,7 @@ def proposed(checks: Sequence[Checks], unnoticed: Sequence[Laws]) -> tuple[str, 
 
 def _candidates(checks: Checks, unnoticed: Sequence[Laws]) -> Iterator[Candidate]:
     case, problem = checks.case, checks.case.solution.problem
-    steps = [checks.bent_steps(laws) for laws in unnoticed]
+    steps = [checks.bent_steps(laws).equations for laws in unnoticed]
     spot = case.spots[0]
     if case.printed:
         for part_id in checks.parts:
@@ -65,7 +66,7 @@ def _unit(part: Part) -> str:
 
 
 def _with_estimate(
-    checks: Checks, part_id: str, steps: Sequence[dict[int, NumericEquations]], spot: MutationSpot
+    checks: Checks, part_id: str, steps: Sequence[dict[int, BentEquations]], spot: MutationSpot
 ) -> frozenset[int]:
     """The bends that an estimate as good as the key would notice."""
     part, found = checks.case.solution.problem.part(part_id), checks.parts[part_id]
@@ -80,7 +81,7 @@ def _with_estimate(
 
 
 def _changed(
-    checks: Checks, part_id: str, steps: Sequence[dict[int, NumericEquations]], spot: MutationSpot
+    checks: Checks, part_id: str, steps: Sequence[dict[int, BentEquations]], spot: MutationSpot
 ) -> frozenset[int]:
     found = checks.parts[part_id]
     return frozenset(
@@ -92,7 +93,7 @@ def _changed(
 
 
 def _values(
-    checks: Checks, bent: dict[int, NumericEquations], spot: MutationSpot, letters: Sequence[str]
+    checks: Checks, bent: dict[int, BentEquations], spot: MutationSpot, letters: Sequence[str]
 ) -> Values | None:
     try:
         return bent_values(checks.case.every, bent, spot).of(letters)
@@ -115,7 +116,7 @@ def _special_cases(checks: Checks, spot: MutationSpot) -> Iterator[tuple[str, Mu
 
 
 def _at(
-    checks: Checks, letters: Sequence[str], steps: Sequence[dict[int, NumericEquations]], there: MutationSpot
+    checks: Checks, letters: Sequence[str], steps: Sequence[dict[int, BentEquations]], there: MutationSpot
 ) -> dict[str, frozenset[int]]:
     """For each letter the bends that change it there."""
     found: dict[str, set[int]] = {letter: set() for letter in letters}

@@ -4,31 +4,38 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
+from itertools import islice
 
+from corollary.derive.again import SolvedAgain, differential
 from corollary.derive.applied import applied
 from corollary.derive.load import Loaded, load
 from corollary.derive.simulation import Simulation
 from corollary.derive.solution import Solution
-from corollary.derive.statements import Step
+from corollary.derive.solve import solvers
+from corollary.derive.statements import Confirm, Step
 from corollary.formula.arithmetics import NotAvailable
 from corollary.formula.ast import Relation, names
 from corollary.formula.ball import Undefined
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import NoTree
-from corollary.formula.operators import has_operators, measured
-from corollary.grading.key import Key
+from corollary.formula.operators import measured
+from corollary.grading.key import Key, make_key
 from corollary.laws.law import Law
 from corollary.problem.bank import Bank
+from corollary.problem.sampling import sample
 from corollary.scenes.run import Run
 from corollary.units.dimensional_analysis import Dimension, dimension_of
 from corollary.verify.mutation.bends import Bend, bends
-from corollary.verify.mutation.notices import Checks, Laws, MutationCase
+from corollary.verify.mutation.notices import Checks, MutationCase
 from corollary.verify.mutation.proposal import proposed
 from corollary.verify.mutation.record import MutationScore, Unnoticed
-from corollary.verify.mutation.spots import founds, spot_of
+from corollary.verify.mutation.resolved import Laws, Replacement, Resolver
+from corollary.verify.mutation.spots import FindInDoubles, founds, spot_of
 
 DRAWS = 5  # of those walked whose keys the bends are tried on, besides the printed numbers
+RARE = 200  # draws among which one is sought for a case that those walked do not have
 Played = Sequence[tuple[Key, Sequence[tuple[Simulation, Run]]]]
 
 
@@ -74,8 +81,8 @@ def _tried(bank: Bank, solution: Solution, checks: Sequence[Checks]) -> Iterator
     for law, line in _laws(load_once(bank, solution)):
         for bend in filter(writable, bends(law)):
             here = applied(bend.law).here
-            laws = {id(law): here}
-            by = "dimensions" if _misfits(here, dimensions) else _noticed(checks, laws, bend)
+            laws = {id(law): Replacement(bend.law, here)}
+            by = "dimensions" if _misfits(here, dimensions) else _noticed(checks, laws)
             yield BentLaw(law, line, bend, by, laws)
 
 
@@ -88,12 +95,13 @@ def writable(bend: Bend) -> bool:
     return True
 
 
-def _noticed(checks: Sequence[Checks], laws: Laws, bend: Bend) -> str:
+def _noticed(checks: Sequence[Checks], laws: Laws) -> str:
     """The first check of the first case that fails; "same" where no answer changes, "undecided" where it is not solved in numbers."""
-    if not checks or has_operators(bend.law.textbook):
+    having = [each for each in checks if not laws.keys().isdisjoint(each.laws)]
+    if not having:
         return "undecided"
     found: list[str | None] = []
-    for each in checks:
+    for each in having:
         try:
             by = each.notice(laws)
         except NotAvailable:
@@ -132,17 +140,42 @@ def _checks(bank: Bank, solution: Solution, own: Key, played: Played) -> list[Ch
     loaded = load_once(bank, solution)
     cases = [each.solution for each in solution.regimes] or [solution]
     found: list[Checks] = []
-    for one, branch in zip(cases, loaded.branches, strict=True):
+    for place, (one, branch) in enumerate(zip(cases, loaded.branches, strict=True)):
         keys = [key for key in (own, *(key for key, _ in played)) if key.solution is one or len(cases) == 1]
+        keys = keys or list(islice(_keys_in(solution, one), DRAWS))
         try:
             every = founds(one, branch.derivation.entries)
             spots = [spot_of(key, every) for key in keys]
             if spots:
-                entries = branch.derivation.entries
-                found.append(Checks(MutationCase(one, loaded, entries, every, spots, keys[0] is own, played)))
+                entries, printed = branch.derivation.entries, keys[0] is own
+                resolver = _resolver(solution, loaded, place, every)
+                case = MutationCase(one, loaded, entries, every, spots, printed, played, resolver)
+                found.append(Checks(case))
         except (NotAvailable, NoTree, Undefined):
             continue
     return found
+
+
+def _keys_in(solution: Solution, case: Solution) -> Iterator[Key]:
+    """The keys of draws for which a rare case holds."""
+    for variant in sample(solution.problem, RARE):
+        with suppress(Undefined):
+            key = make_key(solution, variant)
+            if key.solution is case:
+                yield key
+
+
+def _resolver(
+    solution: Solution, loaded: Loaded, place: int, every: Sequence[FindInDoubles]
+) -> Resolver | None:
+    """What solves steps again; None where no law of a step, of a route or of a claim has derivatives, integrals or functions."""
+    entries = loaded.branches[place].derivation.entries
+    laws = [law for each in entries if isinstance(each, Step | Confirm) for law in each.laws]
+    routes = [route for each in entries if isinstance(each, Step) for route in each.routes]
+    if not any(map(differential, (*laws, *(law for route in routes for law in route.laws)))):
+        return None
+    solver = solvers(solution.problem, loaded)[place]
+    return Resolver(SolvedAgain(solver, [each.entry for each in every]), every)
 
 
 def _dimensions(solution: Solution) -> dict[str, Dimension]:

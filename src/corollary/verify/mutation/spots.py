@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Protocol
 
 from corollary.derive.derivation import Entry
 from corollary.derive.solution import ClosedForms, Solution, Unknown
@@ -12,14 +13,30 @@ from corollary.derive.statements import Finding, Optimum, Step
 from corollary.formula.arithmetics import DOUBLES, Evaluation, NotAvailable, ready
 from corollary.formula.ast import Relation, names
 from corollary.formula.from_sympy import NoTree, tree
+from corollary.formula.operators import has_operators
 from corollary.grading.key import Key
-from corollary.verify.mutation.numeric_roots import FAILURES, SAME, NumericEquations, Values
+from corollary.verify.mutation.numeric_roots import FAILURES, SAME, Values
 
 UNCHANGED = 1e-12  # relative: a letter that no bend has moved
 
 
 class Contradicted(Exception):
     """A bent derivation that fails: no root, several, or one against what is claimed of it."""
+
+
+class BentEquations(Protocol):
+    """The equations of a step with bent laws: in numbers (`NumericEquations`), or solved in formulas (`RootFormulas`)."""
+
+    @property
+    def unknowns(self) -> tuple[str, ...]: ...
+
+    @property
+    def letters(self) -> frozenset[str]: ...
+
+    @property
+    def angular(self) -> bool: ...
+
+    def roots(self, letters: Mapping[str, float], near: Values) -> list[Values] | None: ...
 
 
 @dataclass(slots=True)
@@ -46,7 +63,8 @@ class BentValues:
 
 @dataclass(slots=True)
 class FindInDoubles:
-    """A find with the entry that states it, its rule and its conditions in doubles."""
+    """A find with the entry that states it, its rule and its conditions in doubles; `differential` where its rule is the solution
+    of derivatives or integrals, which may have another form for other numbers."""
 
     place: int
     entry: Step | Optimum | Finding
@@ -55,6 +73,13 @@ class FindInDoubles:
     needs: frozenset[str]
     where: list[tuple[str, Evaluation, Evaluation]] | None
     aside: dict[str, Evaluation]
+    differential: bool
+
+    @property
+    def own(self) -> tuple[str, ...]:
+        """The letters found, those that nobody asks for too."""
+        also = self.entry.also if isinstance(self.entry, Step) else ()
+        return (*self.find.names, *(symbol.name for symbol in also))
 
 
 def founds(solution: Solution, entries: Sequence[Entry]) -> list[FindInDoubles]:
@@ -78,7 +103,8 @@ def _found(place: int, entry: Finding, find: Unknown) -> FindInDoubles:
         needs |= {str(each) for each in entry.of.free_symbols}
     where = None if find.where is None else [compared(each) for each in find.where]
     aside = {name: ready(each, DOUBLES) for name, each in find.aside.items()}
-    return FindInDoubles(place, entry, find, rule, needs, where, aside)
+    differential = any(has_operators(relation) for law in find.laws for relation in law.here)
+    return FindInDoubles(place, entry, find, rule, needs, where, aside, differential)
 
 
 def compared(relation: Relation) -> tuple[str, Evaluation, Evaluation]:
@@ -146,15 +172,15 @@ def _value(evaluation: Evaluation, letters: Mapping[str, float]) -> float | None
 
 
 def bent_values(
-    every: Sequence[FindInDoubles], bent: Mapping[int, NumericEquations], spot: MutationSpot
+    every: Sequence[FindInDoubles], bent: Mapping[int, BentEquations], spot: MutationSpot
 ) -> BentValues:
     """Every letter where the laws of some steps are bent, by place. Raises Contradicted."""
     true = spot.letters
-    asked = {name for found in every for name in (*found.find.names, *found.aside, *_also(found))}
+    asked = {name for found in every for name in (*found.own, *found.aside)}
     found_now = BentValues({name: value for name, value in true.items() if name not in asked})
     letters, unknown = found_now.letters, found_now.unknown
     for found in every:
-        own = (*found.find.names, *_also(found))
+        own = found.own
         equations = bent.get(found.place)
         if equations is not None:
             if unknown & (equations.letters - {*own}):
@@ -174,9 +200,12 @@ def bent_values(
             try:
                 values = [each(letters) for each in found.rule]
             except FAILURES as error:
+                if found.differential:
+                    unknown |= {*own}
+                    continue
                 raise Contradicted("no real value") from error
             letters |= zip(found.find.names, values, strict=True)
-            unknown |= {*_also(found)}
+            unknown |= {*own} - {*found.find.names}
             if any(fulfilled(each, letters) is False for each in found.where or ()):
                 if found.find.others or found.find.rejected:
                     unknown |= {*own}  # then another root may be the one that is meant
@@ -185,16 +214,12 @@ def bent_values(
     return found_now
 
 
-def _also(found: FindInDoubles) -> tuple[str, ...]:
-    return tuple(symbol.name for symbol in found.entry.also) if isinstance(found.entry, Step) else ()
-
-
 def _same(one: float, other: float) -> bool:
     return one == other or abs(one - other) <= UNCHANGED * max(abs(one), abs(other))
 
 
 def _root(
-    found: FindInDoubles, equations: NumericEquations, letters: Mapping[str, float], near: Values
+    found: FindInDoubles, equations: BentEquations, letters: Mapping[str, float], near: Values
 ) -> Values:
     """The root that is meant. Raises Contradicted."""
     roots = equations.roots(letters, near)

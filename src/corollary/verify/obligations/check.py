@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from corollary.derive.put_back import PutBack
 from corollary.derive.solution import Solution
 from corollary.problem.bank import Bank
 from corollary.verify.checked import Tally
+from corollary.verify.obligations.laws import laws_of
 from corollary.verify.obligations.obligation import Settled
 from corollary.verify.obligations.settle import settled
 
@@ -27,16 +29,15 @@ def check_obligations(bank: Bank, solution: Solution, tally: Tally, variants: in
 
 def _as_put_back(each: Settled, put_back: Sequence[PutBack]) -> Settled:
     """How the laws of a step held when all that was found was put in; what does not is complained of already."""
-    here = [one for one in put_back if one.line == each.line]
+    step = each.line, each.claim, each.case  # several steps, or cases, may stand on one line
+    here = [one for one in put_back if (one.line, laws_of(one.names), one.case) == step]
     broken = next((one for one in here if one.how == "differ"), None)
     if broken is not None:
-        return Settled(each.kind, each.claim, each.line, "counter-example", "a point", broken.at)
+        return replace(each, outcome="counter-example", by="a point", numbers=broken.at)
     if each.outcome in ("proven", "sampled") and any(one.how == "undecided" for one in here):
-        return Settled(each.kind, each.claim, each.line, "undecided", "neither algebra nor numbers decide it")
+        return replace(each, outcome="undecided", by="neither algebra nor numbers decide it")
     if each.outcome == "proven" and any(one.how == "points" for one in here):
-        return Settled(
-            each.kind, each.claim, each.line, "sampled", "no algebra decides it, it holds at points"
-        )
+        return replace(each, outcome="sampled", by="no algebra decides it, it holds at points")
     return each
 
 

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from corollary.derive.solution import Solution
 from corollary.formula.ast import Expr, substitute
 from corollary.formula.operators import has_operators
 from corollary.verify.obligations.obligation import Obligation
 from corollary.verify.obligations.values import needed
+
+
+def laws_of(names: Sequence[str]) -> str:
+    """The claim about the step that finds these."""
+    return f"the laws of {', '.join(names)} hold for what is found"
 
 
 def laws_hold(solution: Solution) -> Iterator[Obligation]:
@@ -20,7 +25,7 @@ def laws_hold(solution: Solution) -> Iterator[Obligation]:
         found |= find.aside
         if not find.laws:
             continue
-        claim, line = f"the laws of {', '.join(find.names)} hold for what is found", find.statement.line
+        claim, line = laws_of(find.names), find.statement.line
         here = [relation for law in find.laws for relation in law.here]
         if find.in_givens is None:
             yield Obligation("laws hold", claim, line, open="it rests on a simulation")

@@ -61,7 +61,7 @@ def opposite(relation: Relation) -> Relation:
 class Settled:
     """How an obligation was settled: proven by a prover, refuted by numbers, sampled at some, or not decided. `by` is the prover, or what
     was sampled; a counter-example has its `numbers`, in the units of the givens, and the condition that would exclude it. `broken` is the
-    share of draws it fails for, of those tried."""
+    share of draws it fails for, of those tried; `case` is the one it is claimed in, where there are several."""
 
     kind: Kind
     claim: str
@@ -71,3 +71,4 @@ class Settled:
     numbers: Mapping[str, str] = field(default_factory=lambda: NO_NUMBERS)
     exclude: str = ""
     broken: float = 0.0
+    case: str = ""

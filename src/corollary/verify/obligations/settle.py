@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -73,13 +73,14 @@ def _of_one(
     variants: int,
     claims: Callable[[Solution], Iterator[Obligation]] = obligations,
 ) -> Iterator[Settled]:
+    case = solution.case if conditions else ""
     try:
         settling = Settling(Box(solution.problem, conditions), variants)
     except ValueError as error:
         for each in claims(solution):
-            yield Settled(each.kind, each.claim, each.line, "undecided", str(error))
+            yield Settled(each.kind, each.claim, each.line, "undecided", str(error), case=case)
         return
-    yield from map(settling.settle, claims(solution))
+    yield from (replace(settling.settle(each), case=case) for each in claims(solution))
 
 
 @dataclass(frozen=True, slots=True)
