@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Generator
+from contextlib import contextmanager
 from dataclasses import asdict
 
 import pytest
 
+from corollary.derive.time_limit import TooLong
 from corollary.formula.text import text
 from corollary.laws.law import law, own_letters
 from corollary.problem.bank import Bank
@@ -236,7 +239,13 @@ def test_a_law_with_an_integral_is_tried_as_every_other(checked):
 
 def test_laws_that_are_not_tried_are_named_and_not_counted(checked, monkeypatch):
     """What takes too long to solve with a slip in it is said to be checked by nothing, not to be noticed."""
-    monkeypatch.setattr("corollary.verify.mutation.resolved.SOLVING_S", 1e-4)
+
+    @contextmanager
+    def over_at_once(*_seconds: float) -> Generator[None]:
+        raise TooLong("it ran longer than it may")
+        yield
+
+    monkeypatch.setattr("corollary.verify.mutation.resolved.time_limit", over_at_once)
     found = checked(velocity="v = int(a, x, 0, t)")
     assert found.complaints == ()
     assert found.mutation.undecided > 0
