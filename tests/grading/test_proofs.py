@@ -240,3 +240,23 @@ def test_who_reads_what_was_left_open_is_told_what_to_look_for(verdict):
     assert all(law.startswith("states or uses rightly: ") for law in laws)
     assert way.startswith("arrives at F = ")
     assert way.endswith("without a gap")
+
+
+@pytest.mark.parametrize(
+    ("line", "divisor"),
+    [
+        ("A_x/A_y = -B_y/B_x", "A_y"),
+        ("A_x*A_y^-1 = -B_y/B_x", "A_y"),
+        ("-B_y = A_x*B_x/A_y", "A_y"),
+    ],
+)
+def test_a_line_that_divides_by_what_may_be_zero_names_it(verdict, line, divisor):
+    """In a head-on collision A stops, and B goes on along x: A_y = 0."""
+    found = verdict("S12.5nc", ALONG_X, ALONG_Y, ENERGY, line, ORTHOGONAL)
+    assert isinstance(found, Unmarked)
+    assert f"Line 4 divides by {divisor}, which may be zero" in found.why
+
+
+def test_dividing_by_givens_that_are_not_zero_is_right(verdict):
+    along = "(A_x + B_x)/(mA*v0) = 1/mA"
+    assert isinstance(verdict("S12.5nc", ALONG_X, ALONG_Y, ENERGY, along, ORTHOGONAL), Right)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -9,6 +10,8 @@ from dataclasses import dataclass, replace
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
 from corollary.answers.gain import gain_in
 from corollary.answers.motion_words import way_behind
+from corollary.answers.positive_direction import REFERENCE as REFERENCE_LINE
+from corollary.answers.positive_direction import line_of, sign_of_way, sign_of_words
 from corollary.answers.preamble import without_reason
 from corollary.answers.question import Question
 from corollary.answers.remark import remark_in
@@ -53,9 +56,21 @@ DOWNWARDS = "down|downwards?|below|under|abwärts|nach unten|unter|unterhalb|ned
 TURNED = re.compile(rf"[\s,;(]+(?:(?P<up>{UPWARDS})|(?:{DOWNWARDS})){REFERENCE}\)?\.?\s*$", re.IGNORECASE)
 TOWARDS = re.compile(
     r"(?<=[A-Za-z0-9²)])[\s,;(]+(?:i\.e\.,? |that is,? |meaning |so )?"
-    r"(?P<words>(?:in|towards?|away from|against|from|opposite to|along) (?:(?:the|my|his|its|our|your) [a-z' ]{2,60}|me|him|her|it|us|you)(?: [0-9A-Z])?"
+    r"(?P<words>(?:(?:straight|directly) )?"
+    r"(?:in|towards?|(?<=straight )at|(?<=directly )at|away from|against|from|opposite to|along) "
+    r"(?:(?:the|my|his|its|our|your) [a-z' ]{2,60}|me|him|her|it|us|you)(?: [0-9A-Z])?"
     r"|(?:towards?|away from) (?:[a-z]{2,20} ?[0-9A-Z]|[A-Z]))\)?\.?\s*$",
     re.IGNORECASE,
+)
+
+WAYS = "|".join(sorted(SIGNS, key=len, reverse=True))
+TWO_WAYS = re.compile(  # `(positive, up)`
+    rf"[\s,;(]+(?:to the |in the )?(?P<way>{WAYS})(?:[ -]direction)?\s*(?:[,;/]|\band\b|\bi\.?e\.?,?|=|\()\s*(?:so |that is,? )?(?:to the )?(?P<other>{WAYS})\s*\)*\.?\s*$",
+    re.IGNORECASE,
+)
+SIZE = re.compile(r"\b(?:speed|magnitude|how fast|how large|Betrag|Tempo|fart|størrelse)\b", re.IGNORECASE)
+REFERENCE_BEHIND = re.compile(
+    rf"[\s,;(]+(?:measured |counted )?{REFERENCE_LINE.pattern}\)?\.?\s*$", re.IGNORECASE
 )
 
 
@@ -104,7 +119,11 @@ def with_direction(
         return _signed(read(Text(gain.text)), gain.sign, gain.word)
     angle = question.unit.text in ("rad", "deg")
     text = value.text if angle else way_behind(value.text)
-    found = turn_of(text) if angle else direction_of(text, directed(question), component)
+    found = turn_of(text) if angle else direction_of(text, directed(question), component, question.positive)
+    if angle and found is None and (counted := REFERENCE_BEHIND.search(text)):
+        return _counted_from(read(Text(text[: counted.start()])), counted, question)
+    if found is not None and found.sign is not None and SIZE.search(question.title):
+        found = replace(found, sign=1)  # a speed has no sign: the words say more than was asked
     answer = read(value if found is None else Text(found.text))
     if found is None or _is_unread(answer):  # `-0.4 m/s (so I move backwards)`
         remarked = _remarked(value.text, answer, question, read, component) if _is_unread(answer) else answer
@@ -166,22 +185,29 @@ def axes_of(text: str, components: tuple[str, ...]) -> AxisRemarks:
     return AxisRemarks(text.rstrip(" ,;") if words else text, tuple(signs), ", ".join(words))
 
 
-def direction_of(text: str, directed: bool, component: str = "") -> Direction | None:
-    """The direction a text of bounded length names, if any; `directed` tells that what is asked for has one."""
+def direction_of(text: str, directed: bool, component: str = "", positive: str = "") -> Direction | None:
+    """The direction a text of bounded length names, if any; `directed` tells that what is asked for has one, `positive` what the
+    problem calls the positive direction."""
     if not directed:
         return None
+    found = TWO_WAYS.search(text)
+    if found and not REASON_WORD.search(text[: found.start()]):
+        signs = {sign_of_way(each, positive) for each in found.group("way", "other")}
+        sign = signs.pop() if len(signs) == 1 else None
+        return Direction(text[: found.start()], sign, found[0].strip(" ,;().\t\n"))
     found = ALONG.search(text)
     if found and REASON_WORD.search(text[: found.start()]):  # `12 N because left is negative`
         return None
     if found:
         if component in ("x", "y", "z") and axis_named(text) not in ("", component):
             return None
-        sign = SIGNS[found["way"].lower()] if found["way"] else 1 if found["sign"] == "+" else -1
+        sign = sign_of_way(found["way"], positive) if found["way"] else 1 if found["sign"] == "+" else -1
         return Direction(text[: found.start()], sign, found[0].strip(" ,;().\t\n"))
     if (found := IN_FRONT.search(text)) and component not in ("x", "y", "z"):
-        return Direction(text[found.end() :], SIGNS[found["way"].lower()], found["way"])
+        return Direction(text[found.end() :], sign_of_way(found["way"], positive), found["way"])
     if found := TOWARDS.search(text):
-        return Direction(text[: found.start()], None, found["words"].strip())
+        words = found["words"].strip()
+        return Direction(text[: found.start()], sign_of_words(words, positive), words)
     return None
 
 
@@ -189,6 +215,24 @@ def turn_of(text: str) -> Direction | None:
     """The sense in which a text of bounded length says that an angle is counted: upwards, or counter-clockwise, is positive."""
     found = TURNED.search(text)
     return found and Direction(text[: found.start()], 1 if found["up"] else -1, found[0].strip(" ,;()."))
+
+
+def _counted_from(answer: Answer, counted: re.Match[str], question: Question) -> Answer:
+    """An angle whose words say from which line it is counted: as it stands where the problem counts from there, the horizontal where
+    it does not say; asked about where the words name another line."""
+    words = counted[0].strip(" ,;().\t\n")
+    if line_of(counted) == (question.reference or "horizontal"):
+        return replace(answer, as_read=f"{answer.as_read} {words}") if isinstance(answer, Numbers) else answer
+    match answer:
+        case Numbers((value,)):
+            why = _(
+                "it is not clear from where \u201c{words}\u201d counts the angle; write the angle that is asked",
+                words=words,
+            )
+            other = math.copysign(math.pi / 2, value) - value
+            return Unclear(why, f"{answer.as_read} {words}", (answer, replace(answer, values=(other,))))
+        case _:
+            return answer
 
 
 def _places(axis: str, way: str, components: tuple[str, ...]) -> list[int]:

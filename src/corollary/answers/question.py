@@ -25,7 +25,8 @@ class Question:
     `components` name the members of a list, in order; `options` are the letters of a choice, `option_texts` what
     stands beside them; `signature` is that of a
     function, `force(t, dt)`; `symbols` are the givens of the problem; `slope` is the angle that directions along a slope turn by;
-    `rows` and `columns` are the labels of a table, `column_units` the units of its columns, where they are not all `unit`.
+    `rows` and `columns` are the labels of a table, `column_units` the units of its columns, where they are not all `unit`;
+    `positive` is the positive direction in the problem's words, `reference` is from what it counts an angle.
     """
 
     part: str
@@ -42,6 +43,8 @@ class Question:
     rows: tuple[str, ...] = ()
     columns: tuple[str, ...] = ()
     column_units: tuple[Unit, ...] = ()
+    positive: str = ""
+    reference: str = ""
 
     @property
     def function(self) -> str:
@@ -79,6 +82,8 @@ class Question:
             "rows": self.rows,
             "columns": self.columns,
             "column_units": [each.text for each in self.column_units],
+            "positive": self.positive,
+            "reference": self.reference,
             "symbols": [(symbol.name, symbol.unit.text, symbol.meaning) for symbol in self.symbols],
         }
 
@@ -101,4 +106,6 @@ class Question:
             tuple(data["rows"]),
             tuple(data["columns"]),
             tuple(map(unit, data["column_units"])),
+            data["positive"],
+            data["reference"],
         )

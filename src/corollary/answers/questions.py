@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from corollary.answers.positive_direction import angle_reference, named_positive
 from corollary.answers.question import Question, Symbol
 from corollary.answers.registry import BUILT_IN, answer_type, known
 from corollary.problem.bank import Bank, chapter_order, readable
@@ -36,6 +37,8 @@ def question_of(problem: Problem, part: Part) -> Question:
         part.rows,
         part.columns,
         part.column_units,
+        named_positive(problem.statement, part.text),
+        angle_reference(problem.statement, f"{part.title} {part.text}"),
     )
 
 

@@ -24,7 +24,7 @@ NEUTRAL: str = (
     "bullet ball block car book wall body object person sphere rocket chain atom club racket track "
     "twice double much large same answer part result approximately approximation decimal rounded si unit units "
     "above over high hoch høyt higher than lowest point starting position table first second third bounce "
-    "axis direction x x-axis x-direction horizontal counterclockwise counter-clockwise anticlockwise measured relative "
+    "straight change axis direction x x-axis x-direction horizontal counterclockwise counter-clockwise anticlockwise measured relative "
     "im mittel mittelwert durchschnitt betrag insgesamt mit ohne gewicht vor nach dem der die das beim stoß aufprall kurz gerundet "
     "kugel klotz "
     "i snitt gjennomsnitt totalt med uten vekt før etter støtet rett ballen kula kloss"
@@ -34,6 +34,13 @@ HARMLESS = frozenset(NEUTRAL.split())
 DENIED = re.compile(
     r"\b(?:not|no|never|none|nicht|kein|keine|ikke|or|oder|eller|half|quarter|third|dozen|hundred|thousand|million"
     r"|halb\w*|halv\w*)\b|n['’]t\b",
+    re.IGNORECASE,
+)
+
+
+# What denies a motion and not the number, of which nothing but a zero is passed over.
+NOT_MOVING = re.compile(
+    r"(?:\w+ ){0,3}(?:has|have|had|is|was|are|were|does|do|did)(?: not|n['’]t)(?: yet)? (?:mov|start|begun?|left)\w*(?: moving| yet)*",
     re.IGNORECASE,
 )
 
@@ -53,7 +60,8 @@ def remark_in(text: str) -> WordsBehind | None:
     if found is None:
         return None
     words = (found["bracketed"] or found["apart"] or found["led"]).strip(" .")
-    return None if DENIED.search(words) else WordsBehind(text[: found.start()], words, _are_harmless(words))
+    denied = DENIED.search(words) and not NOT_MOVING.fullmatch(words)
+    return None if denied else WordsBehind(text[: found.start()], words, _are_harmless(words))
 
 
 def _are_harmless(words: str) -> bool:

@@ -41,6 +41,8 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
         unit = _counted(unit, expected)
     if _counts_turns(unit, expected):
         return _turns_are_no_radians()
+    if expected is not None and text.strip() == "m" and expected.dimension == UNITS["s"].dimension:
+        return ambiguous(_("m can be minutes or metres"), 0, "min", "m")
     if expected is None or (isinstance(unit, Unit) and unit.dimension == expected.dimension):
         return unit
     unknown = isinstance(unit, ParseError) and unit.status == "refused"

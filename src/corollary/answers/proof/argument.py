@@ -3,14 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import combinations
 from typing import Literal
 
 from corollary.answers.answer import Equation
 from corollary.answers.proof.form import Same, has_form_of, has_terms_of, in_full
-from corollary.formula.ast import Expr, Name, Relation, folded, names, substitute
+from corollary.formula.ast import (
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Quotient,
+    Relation,
+    folded,
+    names,
+    substitute,
+    walk,
+)
 from corollary.formula.errors import Undefined
 from corollary.polynomials.ideal import Ideal
 from corollary.polynomials.polynomial import Polynomial, TooLarge, factored
@@ -42,11 +54,13 @@ class Grounds:
 
 @dataclass(frozen=True, slots=True)
 class Standing:
-    """What a line is; `law` is the place of the law that it states, `claims` whether it is what is to be shown."""
+    """What a line is; `law` is the place of the law that it states, `claims` whether it is what is to be shown; `divisor` is what it
+    divides by though that may be zero."""
 
     kind: Kind
     law: int = -1
     claims: bool = False
+    divisor: Expr | None = None
 
 
 def standings(steps: Sequence[Equation], grounds: Grounds) -> tuple[Standing, ...]:
@@ -113,6 +127,8 @@ class _Reader:
         self._lawful = self.with_signs_seen()
         for law in self.laws:
             self._lawful.add(law)
+        self._without_lines = self._lawful.copy()
+        self._without_lines.known = self.translation.known
         self._above = self.with_signs_seen()
         self._renamed: dict[str, int] = {}
         self._meaning: dict[str, Expr] = {}
@@ -155,7 +171,31 @@ class _Reader:
         return ""
 
     def standings(self) -> tuple[Standing, ...]:
-        return tuple(self._standing(step) for step in self._steps)
+        return tuple(
+            replace(self._standing(step), divisor=self._divisor(step.relation)) for step in self._steps
+        )
+
+    def _divisor(self, relation: Relation) -> Expr | None:
+        """What an equation divides by and neither the laws nor the signs keep from being zero."""
+        for node in walk(relation):
+            match node:
+                case Quotient(_, below):
+                    pass
+                case Power(below, Negative(Number())):
+                    pass
+                case Power(below, Number(value)) if value < 0:
+                    pass
+                case _:
+                    continue
+            try:
+                value = self.translation.fraction(below).top
+                if not any(
+                    self._never_zero(each) for each in (value, self._without_lines.substituted(value))
+                ):
+                    return below
+            except (TooLarge, Undefined):
+                return below
+        return None
 
     def _standing(self, step: Equation) -> Standing:
         if step.defines:
@@ -182,6 +222,12 @@ class _Reader:
             return Standing("open", claims=claims)
         except (TooLarge, Undefined):
             return Standing("undecided")
+
+    def _never_zero(self, polynomial: Polynomial) -> bool:
+        """True if the laws, what is given and the signs of the givens keep it from being zero."""
+        return not polynomial.is_zero() and all(
+            self._without_lines.never_zero(factor) for factor, _ in factored(polynomial)[1]
+        )
 
     def _states(self, law: int, claims: bool = False) -> Standing:
         self._above.add(self.laws[law])

@@ -107,6 +107,14 @@ def _on_the_way(steps: Sequence[Equation], held: Sequence[str], claim: Claim, gr
     stated = {each.law for each in found[:reached]}
     if reached == len(found) or not any(laws <= stated for laws in sufficient(grounds)):
         return _open(steps[-1].line, claim)
+    for place, each in enumerate(found[: reached + 1]):
+        if each.divisor is not None:
+            why = _(
+                "Line {line} divides by {divisor}, which may be zero, and no line says what holds then; a person will look at it.",
+                line=steps[place].line,
+                divisor=text(each.divisor),
+            )
+            return Unmarked(why, _rubric(claim))
     return Right(_("The laws stand there, and every line follows from those above it."))
 
 
