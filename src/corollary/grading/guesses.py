@@ -52,11 +52,13 @@ def guessed(
     found = found or any(
         _related(values, (given,), (1.0,), truth.tolerance) for given in _givens(key, part, truth)
     )
+    sign_alone = _related(values, truth.values, (1.0,), truth.tolerance)  # then its size had to be found
+    factors = (1.0,) if sign_alone else ROUND
     for other in _asked_before(key, part) if not found else ():
         theirs = key.truths[other.id].values
-        if other.unit.dimension == part.unit.dimension and _related(truth.values, theirs, ROUND, SAME):
+        if other.unit.dimension == part.unit.dimension and _related(truth.values, theirs, factors, SAME):
             typed = (theirs, earlier.get(other.id, theirs))
-            found = found or any(_related(values, each, ROUND, truth.tolerance) for each in typed)
+            found = found or any(_related(values, each, factors, truth.tolerance) for each in typed)
     return replace(verdict, nothing=True) if found else verdict
 
 
