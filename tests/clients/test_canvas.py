@@ -31,7 +31,7 @@ MIGRATION = os.environ.get("COROLLARY_CANVAS_MIGRATION", "")
 PYTHON = os.environ.get("COROLLARY_CANVAS_PYTHON", "python3")
 DRIVER = Path(__file__).with_name("canvas_qti.rb")
 CLIENTS = ("canvas-new", "canvas-classic")
-FEW = ("X12.5", "X12.7", "X12.4", "S12.2")
+FEW = ("X12.2", "X12.10", "X12.4", "S12.2")
 V2 = "{http://www.imsglobal.org/xsd/imsqti_v2p1}"
 
 Answers = list[tuple[Decimal, Decimal]] | set[str]
@@ -213,7 +213,7 @@ def test_nothing_has_changed_since_canvas_was_asked(chapter_items, fingerprint, 
     found = {each.exercise.problem.code: fingerprint(each) for each in chapter_items}
     for client in CLIENTS:
         asked = {code: each["hash"] for code, each in recorded(client)["items"].items()}
-        assert len(asked) > 30
+        assert len(asked) > 20
         assert asked == {code: found[code] for code in asked}
 
 

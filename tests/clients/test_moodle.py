@@ -26,7 +26,7 @@ from corollary.units.unit import show
 
 MOODLE = os.environ.get("COROLLARY_MOODLE", "")
 DRIVER = Path(__file__).with_name("moodle.php")
-FEW = ("X12.5", "X12.7", "X12.4", "S12.2")
+FEW = ("X12.2", "X12.10", "X12.4", "S12.2")
 
 
 def ask(folder: Path, name: str, questions: bytes, attempts: list[dict]) -> dict:

@@ -24,7 +24,7 @@ from corollary.render.item import ChoiceAsked, NotAsked, NumbersAsked, item
 
 NUMBAS = os.environ.get("COROLLARY_NUMBAS", "")
 DRIVER = Path(__file__).with_name("numbas.js").read_text(encoding="utf-8")
-FEW = ("X12.5", "X12.7", "X12.4", "S12.2")
+FEW = ("X12.2", "X12.10", "X12.4", "S12.2")
 MATHJAX = "mathjax@4.1.3"
 THERE = "() => !!document.querySelector('numbas-exam')?.exam?.signals"
 

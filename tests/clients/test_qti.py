@@ -19,7 +19,7 @@ from .xml_structure import structure
 
 SDK = os.environ.get("COROLLARY_QTI_SDK", "")
 DRIVER = Path(__file__).with_name("qti_sdk.php")
-FEW = ("X12.5", "X12.7", "X12.4", "S12.2")
+FEW = ("X12.2", "X12.10", "X12.4", "S12.2")
 
 
 def version() -> str:

@@ -110,7 +110,7 @@ def test_a_hint_on_components_is_true(verdicts):
     # 1.5 % of the length: three figures at every operation explain 1.2 %
     close = verdicts("S12.5nc", c=[1.6095, 0.818, 0.3905, -0.818])["c"]
     assert isinstance(close, Wrong)
-    assert close.why.startswith("Close, but outside what rounding explains")
+    assert close.why.startswith("Close, but rounding does not explain it")
 
 
 CHAIN = ["F - mu*g = v0*R", "R = (m/L)*v0", "mu = (m/L)*y", "F = mu*g + v0*R", "F = (m/L)*(v0^2 + g*y)"]

@@ -10,8 +10,7 @@ from dataclasses import dataclass, replace
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
 from corollary.answers.gain import gain_in
 from corollary.answers.motion_words import way_behind
-from corollary.answers.positive_direction import REFERENCE as REFERENCE_LINE
-from corollary.answers.positive_direction import line_of, sign_of_way, sign_of_words
+from corollary.answers.positive_direction import REFERENCE_LINE, line_of, sign_of_way, sign_of_words
 from corollary.answers.preamble import without_reason
 from corollary.answers.question import Question
 from corollary.answers.remark import remark_in

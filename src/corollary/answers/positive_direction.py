@@ -14,7 +14,7 @@ NAMED = re.compile(
     re.IGNORECASE,
 )
 TOWARDS, AWAY = re.compile(r"\b(?:towards?|against|at|to|into)\b"), re.compile(r"\b(?:away from|from)\b")
-REFERENCE = re.compile(
+REFERENCE_LINE = re.compile(
     r"\b(?:from|to|with|above|below|gegen|mot|fra|von|zur|zum|off)\s+(?:the\s+|der\s+|die\s+|den\s+|its\s+)?"
     r"(?P<line>vertical|horizontal|normal|upright|vertikalen?|senkrechten?|horizontalen?|waagerechten?|vertikalen|horisontalen)\b",
     re.IGNORECASE,
@@ -40,7 +40,7 @@ def named_positive(*texts: str) -> str:
 def angle_reference(*texts: str) -> str:
     """`vertical` or `horizontal`, from which the last of the texts to say so counts an angle; "" where none does."""
     for text in reversed(texts):
-        if found := list(REFERENCE.finditer(EMPHASIS.sub("", text))):
+        if found := list(REFERENCE_LINE.finditer(EMPHASIS.sub("", text))):
             return line_of(found[-1])
     return ""
 

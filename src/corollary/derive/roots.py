@@ -228,7 +228,9 @@ def _formula(root: Root) -> str | None:
             f"${latex(Relation('=', Name(str(symbol)), tree(value)))}$" for symbol, value in root.items()
         )
     except NoTree:
-        return None
+        if any(value.has(sympy.I) for value in root.values()):
+            return None
+        raise
 
 
 def _condition(where: sympy.Basic | bool) -> str:
