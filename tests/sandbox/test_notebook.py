@@ -86,6 +86,48 @@ def test_a_byte_order_mark_and_odd_cells_are_survived() -> None:
     assert len(notebook.notes) == 2
 
 
+def _old(*worksheets: dict) -> bytes:
+    return json.dumps({"nbformat": 3, "nbformat_minor": 0, "metadata": {}, "worksheets": worksheets}).encode()
+
+
+WORKSHEET = {"cells": [{"cell_type": "code", "input": ["X12_5_a = 8.6"], "language": "python"}]}
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        pytest.param(_old(WORKSHEET), id="version 3 without outputs"),
+        pytest.param(_old({"metadata": {}}, WORKSHEET), id="version 3 with a worksheet without cells"),
+        pytest.param(_old(WORKSHEET, {"cells": None}), id="version 3 with a worksheet whose cells are null"),
+        pytest.param(book(code("X12_5_a = 8.6", id="x"), code("b = 2", id="x")), id="one id twice"),
+        pytest.param(book({"cell_type": "code", "source": "X12_5_a = 8.6"}), id="no metadata"),
+        pytest.param(
+            book(code("X12_5_a = 8.6", outputs=None, metadata=None)), id="outputs and metadata null"
+        ),
+        pytest.param(
+            book(code("X12_5_a = 8.6"), metadata={"kernelspec": {"name": "ir", "language": "R"}}),
+            id="kernel of R",
+        ),
+        pytest.param(book(code("X12_5_a = 8.6"), metadata={"a": float("nan")}), id="NaN"),
+        pytest.param(
+            book(
+                code("X12_5_a = 8.6"),
+                metadata={
+                    "kernelspec": [1],
+                    "language_info": {},
+                    "title": 3,
+                    "authors": 0,
+                    "orig_nbformat": "3",
+                },
+            ),
+            id="metadata of other types",
+        ),
+    ],
+)
+def test_an_answer_is_found_in_every_form_of_a_file(content: bytes) -> None:
+    assert opened(content).node.cells[0].source == "X12_5_a = 8.6"
+
+
 @pytest.mark.parametrize(
     ("content", "words"),
     [

@@ -89,14 +89,30 @@ def _mended(raw: dict) -> Notebook | Unreadable:
     sound = _sound_cells(cells, notes)
     if not sound:
         return Unreadable(N_("The notebook has no cells that can be read."))
-    metadata = raw.get("metadata")
     node = nbformat.NotebookNode(
-        metadata=nbformat.from_dict(metadata if isinstance(metadata, dict) else {}),
+        metadata=nbformat.from_dict(_sound_metadata(raw.get("metadata"))),
         nbformat=4,
         nbformat_minor=5,
         cells=sound,
     )
     return Notebook(node, tuple(notes))
+
+
+def _sound_metadata(metadata: object) -> dict:
+    """The notebook's metadata without what nbformat's schema refuses: one student's kernel stops no command of nbgrader's."""
+    found = dict(metadata) if isinstance(metadata, dict) else {}
+    kernel, language = found.get("kernelspec"), found.get("language_info")
+    if isinstance(kernel, dict) and isinstance(kernel.get("name"), str):
+        named = kernel.get("display_name")
+        found["kernelspec"] = {**kernel, "display_name": named if isinstance(named, str) else kernel["name"]}
+    else:
+        found.pop("kernelspec", None)
+    if not (isinstance(language, dict) and isinstance(language.get("name"), str)):
+        found.pop("language_info", None)
+    for name, kind in (("title", str), ("authors", list), ("orig_nbformat", int)):
+        if not isinstance(found.get(name), kind):
+            found.pop(name, None)
+    return found
 
 
 def _cells_of_old(raw: dict) -> list[object]:
