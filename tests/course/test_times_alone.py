@@ -91,27 +91,3 @@ def test_another_time_that_moves_no_marks_needs_no_consent(own: Path, graded: Pa
     done = grade(graded, name=own)
     assert (done.status, done.document["changed"], done.points["ada"]) == (0, [], 5.0), done.errors
     assert recorded(graded, "ada")["depends"]["when it was handed in"] == "2099-03-01 13:00:00+00:00"
-
-
-def test_courses_marked_before_the_time_was_a_cause_of_its_own(own: Path, graded: Path) -> None:
-    """Their records have one digest of notebook and time; the answers tell who handed in something else."""
-    for student in ("ada", "ben"):
-        path = graded / f".corollary/graded/one/{student}.json"
-        record = json.loads(path.read_bytes())
-        del record["depends"]["the notebook"], record["depends"]["when it was handed in"]
-        record["depends"]["what was handed in"] = "5a105e8b9d40"
-        path.write_text(json.dumps(record))
-    (graded / ".corollary/history/one.jsonl").unlink()
-    rewritten(graded)
-    notebook = graded / "submitted/ben/one/one.ipynb"
-    nb = json.loads(notebook.read_text())
-    for cell in nb["cells"]:
-        if cell["id"] == "X12_5_a_answer":
-            cell["source"] = "X12_5_a = 1e9"
-    notebook.write_text(json.dumps(nb))
-    done = grade(graded, name=own)
-    assert done.status == 1, done.errors
-    (changed,) = done.document["changed"]
-    assert (changed["student"], changed["why"]) == ("ada", "changed: what was handed in, or its time")
-    assert done.points["ada"] == 5.0
-    assert done.points["ben"] == 2.0
