@@ -8,18 +8,6 @@ from corollary.atomic import write_whole
 from corollary.records.files import Course
 
 MARK = "# Written by corollary."
-FEEDBACK_ROAD = 'c.ExchangeFactory.release_feedback = "corollary.nbgrader.exchange.ReleaseOwnFeedback"\n'
-COLLECT_ROAD = 'c.ExchangeFactory.collect = "corollary.nbgrader.exchange.CollectFromEach"\n'
-LIST_ROAD = 'c.ExchangeFactory.list = "corollary.nbgrader.exchange.ListEach"\n'
-ROADS = f"""\
-
-# The exchange gives each student the own sheet, and `nbgrader zip_collect` knows the names that Moodle and Canvas give to files.
-c.ExchangeFactory.release_assignment = "corollary.nbgrader.exchange.ReleaseOwnSheets"
-c.ExchangeFactory.fetch_assignment = "corollary.nbgrader.exchange.FetchOwnSheet"
-c.ExchangeFactory.submit = "corollary.nbgrader.exchange.SubmitOwnSheet"
-{COLLECT_ROAD}{LIST_ROAD}{FEEDBACK_ROAD}c.ZipCollectApp.extractor_plugin = "corollary.nbgrader.zip_collect.BoundedExtractor"
-c.ZipCollectApp.collector_plugin = "corollary.nbgrader.zip_collect.OwnerCollector"
-"""
 TEXT = f"""\
 {MARK} Add your own settings below; corollary leaves this file alone from now on.
 from nbconvert.preprocessors import ClearMetadataPreprocessor
@@ -34,7 +22,17 @@ from corollary.nbgrader.feedback import FeedbackPage
 
 c = get_config()  # noqa: F821
 c.CourseDirectory.course_id = __NAME__
-{ROADS}
+
+# The exchange gives each student the own sheet, and `nbgrader zip_collect` knows the names that Moodle and Canvas give to files.
+c.ExchangeFactory.release_assignment = "corollary.nbgrader.exchange.ReleaseOwnSheets"
+c.ExchangeFactory.fetch_assignment = "corollary.nbgrader.exchange.FetchOwnSheet"
+c.ExchangeFactory.submit = "corollary.nbgrader.exchange.SubmitOwnSheet"
+c.ExchangeFactory.collect = "corollary.nbgrader.exchange.CollectFromEach"
+c.ExchangeFactory.list = "corollary.nbgrader.exchange.ListEach"
+c.ExchangeFactory.release_feedback = "corollary.nbgrader.exchange.ReleaseOwnFeedback"
+c.ZipCollectApp.extractor_plugin = "corollary.nbgrader.zip_collect.BoundedExtractor"
+c.ZipCollectApp.collector_plugin = "corollary.nbgrader.zip_collect.OwnerCollector"
+
 # The source notebooks hold no solutions, so nothing has to be cut out of them.
 c.GenerateAssignment.preprocessors = [LockCells, ClearOutput, CheckCellMetadata, ComputeChecksums, SaveCells]
 
