@@ -98,6 +98,9 @@ def test_the_stages_of_a_reading_are_told():
         ("12 N because F = ma", 12),
         ("12 N because left is negative", "asked"),
         ("12 N since it moves left", "asked"),
+        ("12 N due to the push left", "asked"),
+        ("12 N because it moves towards the wall", "asked"),
+        ("12 N, because it loses energy", "asked"),
     ],
 )
 def test_a_reason_behind_a_number_gives_no_sign(text: str, read: object):

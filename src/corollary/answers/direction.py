@@ -11,10 +11,10 @@ from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
 from corollary.answers.gain import gain_in
 from corollary.answers.motion_words import way_behind
 from corollary.answers.positive_direction import REFERENCE_LINE, line_of, sign_of_way, sign_of_words
-from corollary.answers.preamble import without_reason
+from corollary.answers.preamble import reason_in, without_reason
 from corollary.answers.question import Question
 from corollary.answers.remark import remark_in
-from corollary.answers.sign_words import AXIS_OF, REASON_WORD, SIGNS
+from corollary.answers.sign_words import AXIS_OF, SIGNS
 from corollary.formula.ast import Negative
 from corollary.formula.value import Text, Value
 from corollary.messages import catalogue
@@ -114,6 +114,9 @@ def with_direction(
     if not isinstance(value, Text) or len(value.text) > LONGEST:
         return read(value)
     value = Text(without_reason(value.text))
+    if reason_in(value.text):  # `12 N because left is negative`: what speaks of a sign there gives none
+        answer = read(value)
+        return _remarked(value.text, answer, question, read, component) if _is_unread(answer) else answer
     if gain := gain_in(value.text, question):
         return _signed(read(Text(gain.text)), gain.sign, gain.word)
     angle = question.unit.text in ("rad", "deg")
@@ -189,15 +192,11 @@ def direction_of(text: str, directed: bool, component: str = "", positive: str =
     problem calls the positive direction."""
     if not directed:
         return None
-    found = TWO_WAYS.search(text)
-    if found and not REASON_WORD.search(text[: found.start()]):
+    if found := TWO_WAYS.search(text):
         signs = {sign_of_way(each, positive) for each in found.group("way", "other")}
         sign = signs.pop() if len(signs) == 1 else None
         return Direction(text[: found.start()], sign, found[0].strip(" ,;().\t\n"))
-    found = ALONG.search(text)
-    if found and REASON_WORD.search(text[: found.start()]):  # `12 N because left is negative`
-        return None
-    if found:
+    if found := ALONG.search(text):
         if component in ("x", "y", "z") and axis_named(text) not in ("", component):
             return None
         sign = sign_of_way(found["way"], positive) if found["way"] else 1 if found["sign"] == "+" else -1

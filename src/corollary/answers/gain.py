@@ -6,7 +6,6 @@ import re
 from dataclasses import dataclass
 
 from corollary.answers.question import Question
-from corollary.answers.sign_words import REASON_WORD
 
 LOSSES = (
     "losses loss lose loses lost losing decreases decreased decrease drops dropped drop reduced reduction dissipated "
@@ -53,7 +52,7 @@ class Gain:
 def gain_in(text: str, question: Question) -> Gain | None:
     """What a text of bounded length says is gained or lost, if anything. A loss is negative, unless the loss is asked for."""
     found = BEFORE.search(text) or VERB.search(text) or BEHIND.search(text) or INTO_HEAT.search(text)
-    if found is None or REASON_WORD.search(text[: found.start("word")]):
+    if found is None:
         return None
     word = found["word"].lower()
     sign = 1 if word in GAINS.split() else -1

@@ -124,9 +124,14 @@ def answer_in(normalized: str, *, in_letters: bool = False) -> Bare:
         text, before = text[skipped:], before + skipped
 
 
+def reason_in(text: str) -> re.Match[str] | None:
+    """The clause behind an answer that gives its reason."""
+    return REASON.search(text)
+
+
 def without_reason(text: str) -> str:
     """A text of bounded length without the reason behind its answer, unless that may change the answer."""
-    found = REASON.search(text)
+    found = reason_in(text)
     if found is None or DENIED.search(found["why"]) or OF_A_SIGN.search(found["why"]):
         return text
     return text[: found.start()]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 ALONG_X: str = "left leftward leftwards links gauche venstre right rightward rightwards rechts droite høyre"
 ALONG_Y: str = (
     "up upward upwards oben aufwärts haut opp oppover down downward downwards unten abwärts bas ned nedover"
@@ -23,5 +21,3 @@ NEGATIVE: str = (
 SIGNS: dict[str, int] = {
     word: sign for sign, words in ((1, POSITIVE), (-1, NEGATIVE)) for word in words.split()
 }
-# Behind one of these a word of this kind is part of a reason, and gives no sign: `12 N because left is negative`.
-REASON_WORD = re.compile(r"\b(?:because|since|weil|fordi)\b", re.IGNORECASE)
