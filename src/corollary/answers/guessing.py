@@ -31,12 +31,7 @@ def are_round(values: Values, unit: Unit, *, counted: bool = False) -> bool:
     """True if all are round angles, simple shares or small counts, whichever the unit asks for; of other quantities none is."""
     if unit.dimension != ONE:
         return False
-    return all(map(_small_count if counted else _round_angle if is_angle(unit) else _simple_share, values))
-
-
-def is_angle(unit: Unit) -> bool:
-    """True for degrees, radians and their kin."""
-    return unit.dimension == ONE and (unit.pi != 0 or "rad" in unit.text)
+    return all(map(_small_count if counted else _round_angle if unit.is_angle else _simple_share, values))
 
 
 def _same_sizes(values: Values, target: Values) -> bool:

@@ -11,7 +11,7 @@ from itertools import combinations
 from corollary.answers.answer import Numbers
 from corollary.answers.common_errors import slips
 from corollary.answers.expected import FollowThrough, Quantity, Values
-from corollary.answers.guessing import are_round, is_angle, may_be_guessed
+from corollary.answers.guessing import are_round, may_be_guessed
 from corollary.answers.question import Question
 from corollary.answers.remade import remade
 from corollary.answers.tolerance import (
@@ -87,9 +87,9 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
         for value, sentence in slips(way.values, question.unit, question.title):
             if any(value) and _meets(answer, wanted, value):
                 factor = value[0] / way.values[0] if len(value) == 1 and way.values[0] else 1.0
-                guess = _guess(answer, question, value, way.values, counted=wanted.counted)
                 if are_round(value, question.unit, counted=wanted.counted):
                     continue  # of 45° it would be wrong to say that a factor of 90° is missing
+                guess = _guess(answer, question, value, way.values, counted=wanted.counted)
                 return Slip(sentence, nothing=guess, factor=float(f"{factor:.3g}"))
         for value, sentence in way.slips() if way.slips else ():
             if any(value) and _meets(answer, wanted, value):
@@ -226,7 +226,7 @@ def _distinct(ways: Iterable[FollowThrough]) -> Iterable[FollowThrough]:
 def _hint(answer: Numbers, wanted: Quantity, question: Question) -> str:
     """What may be said without giving the value away."""
     sort, unit = called(question.unit.dimension), show(question.unit)
-    if is_angle(question.unit):
+    if question.unit.is_angle:
         sort = _("an angle")
     if len(answer.values) == 1 and wanted.values[0] and answer.values[0]:
         ratio = answer.values[0] / wanted.values[0]
@@ -250,7 +250,7 @@ def _hint(answer: Numbers, wanted: Quantity, question: Question) -> str:
             return _components_fit(right, len(answer.values) - len(right))
     if (
         unit
-        and not is_angle(question.unit)
+        and not question.unit.is_angle
         and (question.unit.dimension == ONE or question.unit.dimension not in CALLED)
     ):
         return _("Read in {unit}; it does not follow from the numbers given.", unit=unit)

@@ -375,7 +375,7 @@ def read_quantities(
 
     With `names`, components that the text names (`p_y = 4, p_x = 3`) are put in their order.
     """
-    pieces = components_in(text, count, names, angles=expected is not None and _is_angle(expected))
+    pieces = components_in(text, count, names, angles=expected is not None and expected.is_angle)
     match pieces:
         case ParseError():
             return pieces
@@ -411,10 +411,6 @@ def components_in(
         return refused(_("a length and an angle give a vector in a plane only"))
     pieces = pieces_of(normalized, count, names) if polar is None else polar
     return _placed(pieces, skipped, rewritten=text != typed) if isinstance(pieces, ParseError) else pieces
-
-
-def _is_angle(unit: Unit) -> bool:
-    return unit.dimension == ONE and (unit.pi != 0 or "rad" in unit.text)
 
 
 def _reading(

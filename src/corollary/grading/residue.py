@@ -38,7 +38,7 @@ def residue_of(
     found: list[float] = []
     for place, unit in enumerate(units):
         alike = [
-            abs(_double(known[each.symbol]))
+            abs(float(known[each.symbol]))
             for each in problem.givens
             if not each.words and each.unit.dimension == unit.dimension
         ]
@@ -97,7 +97,3 @@ def _usual_size(given: Given) -> RationalPi:
     """The largest value that a given may have, in SI."""
     ends = (RationalPi(*given.unit.to_si(value)) for value in (given.grid.first, given.grid.last))
     return max(ends, key=lambda end: abs(end.ratio))
-
-
-def _double(value: RationalPi) -> float:
-    return float(value.ratio) * math.pi**value.pi

@@ -77,6 +77,11 @@ class Unit:
         return self.factor == 1 and not self.pi and not self.offset
 
     @property
+    def is_angle(self) -> bool:
+        """True for degrees, radians and their kin."""
+        return self.dimension == ONE and (self.pi != 0 or "rad" in self.text)
+
+    @property
     def is_difference(self) -> bool:
         """Whether it measures a difference of temperatures: 20 °C are then 20 K."""
         return self.text.startswith(DIFFERENCE)

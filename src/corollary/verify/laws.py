@@ -12,7 +12,7 @@ from corollary.formula.operators import measured
 from corollary.problem.bank import Bank
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter, written_apart
-from corollary.units.dimensional_analysis import dimension_of
+from corollary.units.dimensional_analysis import Dimension, dimension_of
 from corollary.verify.checked import Tally
 
 DRAWS = 100
@@ -43,15 +43,21 @@ def check_cases(bank: Bank, solution: Solution, tally: Tally) -> None:
             return
 
 
+def dimensions_of(solution: Solution) -> dict[str, Dimension]:
+    """The dimension of every letter of a derivation: its givens, finds and functions."""
+    found = {given.symbol: given.unit.dimension for given in solution.problem.givens}
+    for find in solution.unknowns:
+        found |= dict(zip(find.names, find.dimensions, strict=True))
+        for function in find.functions:
+            found |= function.dimensions
+    return found
+
+
 def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
     """Every law and every condition of the derivation, as it stands here, has the same dimension on both sides."""
     for regime in solution.regimes[1:]:
         check_dimensions(bank, regime.solution, tally)
-    dimensions = {given.symbol: given.unit.dimension for given in solution.problem.givens}
-    for find in solution.unknowns:
-        dimensions |= dict(zip(find.names, find.dimensions, strict=True))
-        for function in find.functions:
-            dimensions |= function.dimensions
+    dimensions = dimensions_of(solution)
     path = bank.solution(solution.problem)
     for left in solution.neglected:
         dimensions |= dict(zip(left.bound.names, left.bound.dimensions, strict=True))

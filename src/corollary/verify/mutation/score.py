@@ -27,6 +27,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.sampling import sample
 from corollary.scenes.run import Run
 from corollary.units.dimensional_analysis import Dimension, dimension_of
+from corollary.verify.laws import dimensions_of
 from corollary.verify.mutation.bends import Bend, bends
 from corollary.verify.mutation.notices import Checks, MutationCase
 from corollary.verify.mutation.proposal import proposed
@@ -180,12 +181,9 @@ def _resolver(
 
 def _dimensions(solution: Solution) -> dict[str, Dimension]:
     """Of every letter; of a case's own, those of the first case that has it."""
-    found = {given.symbol: given.unit.dimension for given in solution.problem.givens}
+    found: dict[str, Dimension] = {}
     for one in [each.solution for each in solution.regimes] or [solution]:
-        for find in one.unknowns:
-            found = dict(zip(find.names, find.dimensions, strict=True)) | found
-            for function in find.functions:
-                found = dict(function.dimensions) | found
+        found = dimensions_of(one) | found
     return found
 
 

@@ -116,8 +116,8 @@ def _same_kind(one: Unit, other: Unit) -> bool:
 
 
 def is_angle(unit: Unit) -> bool:
-    """True for radians, degrees and the like."""
-    return unit.dimension == ONE and (bool(unit.pi) or canonical(unit) in ("rad", "mrad", "sr"))
+    """True for radians, degrees and the like, and for a solid angle."""
+    return unit.is_angle or canonical(unit) == "sr"
 
 
 def _bare_quantity(number: TypedNumber, given: Given, each: AuthorText) -> bool:
