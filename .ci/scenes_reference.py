@@ -184,8 +184,7 @@ def _scene(name: str) -> Iterator[str]:
     scene, found = SCENES[name], run(name, {})
     yield f"## `{name}`\n"
     note = f" {NOTES[name]}" if name in NOTES else ""
-    proven = " `--proven` encloses its motion." if scene.proven else ""
-    yield f"{scene.meaning[0].upper()}{scene.meaning[1:]}.{note}{proven}\n"
+    yield f"{scene.meaning[0].upper()}{scene.meaning[1:]}.{note}\n"
     yield from table(("setting", "what it is", "unit", "default", "takes"), map(_setting, scene.settings))
     words = OBSERVED[name]
     if strange := found.measured.keys() - words.keys():

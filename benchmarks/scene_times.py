@@ -68,10 +68,7 @@ def asked(scene: str, options: Sequence[str]) -> Asked:
     begin, clock = time.thread_time(), time.perf_counter()
     with redirect_stderr(terminal), redirect_stdout(io.StringIO()):
         try:
-            answered = (
-                command.run(scene, list(options), TOLERANCE, proven=False, explained=False, as_json=True)
-                == HOLDS
-            )
+            answered = command.run(scene, list(options), TOLERANCE, explained=False, as_json=True) == HOLDS
             # A refusal is said where the bar was: that is no bar.
             silent = not answered and terminal.getvalue().startswith("corollary: ")
         except BadSetting:
@@ -127,7 +124,7 @@ def draws(scene: str, count: int) -> Iterator[list[str]]:
 
 
 def timed(scene: str, count: int, seconds: float) -> list[Asked]:
-    command.run(scene, [], TOLERANCE, proven=False, explained=False, as_json=True)  # modules and caches
+    command.run(scene, [], TOLERANCE, explained=False, as_json=True)  # modules and caches
     found: list[Asked] = []
     spent = 0.0
     for each in draws(scene, count):

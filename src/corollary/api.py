@@ -93,13 +93,12 @@ def play(
     *,
     tolerance: float = 1e-12,
     conditions: bool = True,
-    proven: bool = False,
     **settings: float | tuple[float, ...],
 ) -> Run:
     """A ready-made scene, played with the least model that answers; settings are in SI, those left out the chapter's.
 
     `tolerance` is relative to the scene's natural scale. Each value has its condition, and `warnings` announce a grazing hit, an edge
-    or chaos, for a run more for each setting; without `conditions` they are left out. A `proven` run states bounds only, or is refused.
+    or chaos, for a run more for each setting; without `conditions` they are left out.
     Raises BadSetting when a setting is unknown or unphysical, GuardFailed when momentum or energy is not kept.
     """
     from corollary.scenes import condition
@@ -107,9 +106,9 @@ def play(
     from corollary.scenes.progress import with_bar
 
     if conditions:
-        return condition.play(scene, settings, tolerance, proven=proven)
+        return condition.play(scene, settings, tolerance)
     with with_bar(f"scene {scene}"):
-        return run(scene, settings, tolerance, proven=proven)
+        return run(scene, settings, tolerance)
 
 
 def variant(problem: Problem, given: Mapping[str, GivenValue]) -> Variant:

@@ -60,15 +60,6 @@ def test_a_part_is_a_share_of_the_whole():
     assert told == [0.5, 0.5, 0.625, 0.75, 1.0]
 
 
-def test_a_contact_that_is_enclosed_tells_how_far_it_is():
-    """It took twenty seconds at an exponent of 9.5, and its bar never moved."""
-    told = []
-    with reported_to(told.append):
-        run("ball_on_floor", {"eta": 0.5}, proven=True)
-    assert len({share for share in told if 0.0 < share < 1.0}) > 10
-    assert all(a <= b for a, b in pairwise(told))
-
-
 def test_nobody_need_listen():
     with part(0.0, 0.5):
         tell(0.3)

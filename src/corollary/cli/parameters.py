@@ -152,10 +152,6 @@ PLAYED = (
     ),
     several("--set", "settings", "A setting in SI: q=1.5, or masses=0.1,0.2,0.1"),
     click.Option(["--tolerance"], default=1e-12, help="Relative to the scene's natural scale."),
-    flag(
-        "--proven",
-        "State proven bounds of all errors, or say that none can be had; seconds instead of milliseconds.",
-    ),
     click.Option(
         ["--settings", "explained"],
         is_flag=True,

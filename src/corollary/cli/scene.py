@@ -15,21 +15,19 @@ from corollary.scenes.run import GuardFailed, Observed, components
 FORM = "name=number, such as q=1.5, or masses=0.1,0.2,0.1"
 
 
-def run(
-    name: str | None, settings: list[str], tolerance: float, proven: bool, explained: bool, as_json: bool
-) -> int:
+def run(name: str | None, settings: list[str], tolerance: float, explained: bool, as_json: bool) -> int:
     if name is None:
-        if settings or proven or explained:
+        if settings or explained:
             refuse("name a scene; without a name this lists all there are")
         return _list(as_json)
     if explained:
-        if settings or proven:
-            refuse("--settings only tells what the scene takes; leave out --set and --proven")
+        if settings:
+            refuse("--settings only tells what the scene takes; leave out --set")
         return _explain(name, as_json)
     chosen = _chosen(settings)
     begin = time.perf_counter()
     try:
-        found = play(name, chosen, tolerance, proven=proven)
+        found = play(name, chosen, tolerance)
     except GuardFailed as error:
         say(f"corollary: {error}")
         return FAILS

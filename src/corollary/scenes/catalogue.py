@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Iterator, Mapping
-from contextlib import nullcontext
 from dataclasses import replace
 from importlib import import_module
 from pkgutil import iter_modules
@@ -14,8 +13,7 @@ from corollary.messages import did_you_mean
 from corollary.scenes import library
 from corollary.scenes.definition import SceneDefinition, settle
 from corollary.scenes.independent import SECOND_WAYS
-from corollary.scenes.progress import part
-from corollary.scenes.run import BadSetting, Observed, Run, components
+from corollary.scenes.run import BadSetting, Run, components
 from corollary.scenes.sound import refuse_tolerance
 
 
@@ -41,8 +39,6 @@ class Library(Mapping[str, SceneDefinition]):
 
 
 SCENES = Library()
-# Of a proven run so much is the estimate that comes first.
-ESTIMATED = 0.02
 
 
 def run(
@@ -51,13 +47,11 @@ def run(
     tolerance: float = 1e-12,
     *,
     second_way: bool = False,
-    proven: bool = False,
 ) -> Run:
     """Play a ready-made scene with the least model that answers; what confirms a formula asks for its `second_way`, which shares none.
 
     By the second way only those values are there that it gives; what is followed in steps in any case has none, and the same run is
-    given. A `proven` run states bounds only: a motion that is followed in steps is enclosed in balls, to the last place whatever the
-    tolerance, where that is known how; else it is refused.
+    given.
 
     Settings are in SI; those not given take the chapter's values. `tolerance` is relative to the scene's natural scale. A value that
     no double holds, or that does not exist (how long a contact lasts that never ends), is left out, and a warning says so.
@@ -68,12 +62,8 @@ def run(
     settled = settle(name, scene.settings, settings)
     begin = time.perf_counter()
     try:
-        with part(0.0, ESTIMATED) if proven else nullcontext():
-            found = SECOND_WAYS[name](settled, tolerance) if second_way and name in SECOND_WAYS else None
-            found = found or scene.play(settled, tolerance)
-        if proven and found.error_is != "bound":
-            with part(ESTIMATED, 1.0):
-                found = _enclosed(name, scene, settled, found)
+        found = SECOND_WAYS[name](settled, tolerance) if second_way and name in SECOND_WAYS else None
+        found = found or scene.play(settled, tolerance)
     except BadSetting:
         raise
     except (OverflowError, ZeroDivisionError, ValueError):
@@ -90,19 +80,6 @@ def definition(name: str) -> SceneDefinition:
             f"There is no scene {name!r}{did_you_mean(name, SCENES)}; there are {', '.join(SCENES)}."
         )
     return SCENES[name]
-
-
-def _enclosed(name: str, scene: SceneDefinition, settings: Mapping[str, Observed], found: Run) -> Run:
-    """The same with proven bounds. Raises BadSetting where none can be had."""
-    if scene.proven is None:
-        raise BadSetting(
-            f"{name}: its errors are estimates, and no bound can be proven for this scene; leave out --proven."
-        )
-    if found.outcome == "sticks":
-        raise BadSetting(
-            f"{name}: a contact that never ends cannot be enclosed; leave out --proven, or lower eta."
-        )
-    return scene.proven(settings).only(found.measured)
 
 
 def _finite(scene: str, found: Run) -> Run:

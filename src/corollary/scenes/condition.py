@@ -19,11 +19,11 @@ APART = 0.618  # the golden ratio: its multiples leave parts of one that are all
 DIGITS = 15.95  # of a double
 
 
-def play(name: str, settings: Mapping[str, object], tolerance: float = 1e-12, *, proven: bool = False) -> Run:
+def play(name: str, settings: Mapping[str, object], tolerance: float = 1e-12) -> Run:
     """A ready-made scene as `run` plays it, and its conditions; who waits for it at a terminal sees a bar. Raises as `run` does."""
     with with_bar(f"scene {name}"):
         with part(0.0, 0.5):
-            found = run(name, settings, tolerance, proven=proven)
+            found = run(name, settings, tolerance)
         with part(0.5, 1.0):
             return with_conditions(found, tolerance)
 

@@ -56,15 +56,11 @@ class Setting:
 
 @dataclass(frozen=True, slots=True)
 class SceneDefinition:
-    """`meaning` is one line for a list of scenes; `play` takes all settings and a tolerance relative to the scene's natural scale.
-
-    `proven` finds the same with bounds where `play` only estimates them; there is none where no enclosure of the motion is known.
-    """
+    """`meaning` is one line for a list of scenes; `play` takes all settings and a tolerance relative to the scene's natural scale."""
 
     meaning: str
     settings: tuple[Setting, ...]
     play: Callable[[Settings, float], Run]
-    proven: Callable[[Settings], Run] | None = None
 
 
 def settle(scene: str, known: Iterable[Setting], given: Mapping[str, object]) -> dict[str, Observed]:

@@ -12,7 +12,6 @@ from corollary.scenes.definition import SceneDefinition, Setting, Settings, numb
 from corollary.scenes.falls_and_swings import EXACT, fallen
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.certain import Balls, Evaluated, balls, found, sign
-from corollary.scenes.models.proven import collisions
 from corollary.scenes.models.two_bodies import (
     BETA,
     CONSERVED,
@@ -134,19 +133,6 @@ def stepped(settings: Settings, tolerance: float) -> Run | None:
     return _damped(m, contact, speed, g, tolerance, in_steps=True)
 
 
-def proven(settings: Settings) -> Run:
-    """A damped contact enclosed in balls, every value with a bound."""
-    mass, contact, fast, weight = _fallen(settings)
-    deep = depth_of(contact, mass, fast, weight)
-
-    def enclosed() -> Evaluated:
-        speed = _meets(settings)
-        hit = collisions.on_a_floor(mass, contact, speed, weight, deep)
-        return _observed(hit, Ball(mass), speed, Ball(weight), "integration", collisions.WHY, {})
-
-    return found(enclosed, collisions.PRECISIONS)
-
-
 def _damped(
     m: float, contact: Contact, speed: float, g: float, tolerance: float, *, in_steps: bool = False
 ) -> Run:
@@ -221,6 +207,4 @@ def _overdamped(m: float, contact: Contact, speed: float, g: float, change: floa
     return replace(overdamped, warnings=(NEVER_PART,))
 
 
-SCENE = SceneDefinition(
-    "a ball meets the floor: contact force k overlap^q, weight included", SETTINGS, play, proven
-)
+SCENE = SceneDefinition("a ball meets the floor: contact force k overlap^q, weight included", SETTINGS, play)

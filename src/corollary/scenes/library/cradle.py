@@ -8,10 +8,9 @@ from corollary.scenes.collision import collide
 from corollary.scenes.definition import SceneDefinition, Setting, one, row
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.certain import found
-from corollary.scenes.models.proven import collisions
 from corollary.scenes.models.two_bodies import collision
-from corollary.scenes.row import RowOfBodies, caught_between
-from corollary.scenes.run import BadSetting, Observed, Run
+from corollary.scenes.row import RowOfBodies
+from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
     Setting("N", "number of balls", "1", 3.0, least=2.0, most=200.0, whole=True),
@@ -25,9 +24,6 @@ SETTINGS = (
         "balls_in", "number of balls that come in together", "1", 1.0, least=1.0, whole=True, below_that="N"
     ),
 )
-
-# What can be enclosed in some ten seconds: so many balls, none so many times lighter than those that it lies between (benchmarks/proven.py).
-MOST_PROVEN, MOST_THROWN = 6, 20.0
 
 
 def balls_of(settings: Mapping[str, Observed]) -> tuple[tuple[float, ...], int]:
@@ -68,23 +64,4 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     return collided.observed(values, {"velocities": v0})
 
 
-def proven(settings: Mapping[str, Observed]) -> Run:
-    """The same enclosed in balls, every value with a bound. Raises BadSetting for long rows, and for light balls between heavy ones."""
-    masses, coming = balls_of(settings)
-    count, v0 = len(masses), one(settings, "v0")
-    if count > MOST_PROVEN:
-        raise BadSetting(
-            f"cradle: --proven takes minutes for {count} balls; ask for {MOST_PROVEN} at most, or leave it out."
-        )
-    if caught_between(masses) > MOST_THROWN:
-        raise BadSetting(
-            "cradle: a light ball thrown to and fro between heavier ones cannot be enclosed; leave out --proven, or make it heavier."
-        )
-    velocities, gaps = (v0,) * coming + (0.0,) * (count - coming), row(settings, "gaps", count - 1, "gaps")
-    k, q = one(settings, "k"), one(settings, "q")
-    return found(lambda: collisions.row(masses, velocities, gaps, k, q), collisions.PRECISIONS)
-
-
-SCENE = SceneDefinition(
-    "Newton's cradle: N balls in a row, contact force k overlap^q", SETTINGS, play, proven
-)
+SCENE = SceneDefinition("Newton's cradle: N balls in a row, contact force k overlap^q", SETTINGS, play)

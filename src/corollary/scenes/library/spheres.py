@@ -6,10 +6,9 @@ import math
 
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, vector
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.integrate.single_contact import follow, groups_of
+from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.models.certain import found
 from corollary.scenes.models.pair import Pair, Parting, Touching, after_parting, collision, meet
-from corollary.scenes.models.proven import collisions
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, by_relative_errors, two_runs
 
 SETTINGS = (
@@ -44,16 +43,6 @@ def pair_of(settings: Settings, name: str) -> Pair:
     if dx == dy == 0.0:
         raise BadSetting(f"{name}: dx = dy = 0 puts one centre on the other; start them apart.")
     return Pair(ma, mb, (dx, dy), (va, vb), 2.0 * radius, Contact(k, q, eta))
-
-
-def proven(settings: Settings) -> Run:
-    """The same enclosed in balls, every value with a bound."""
-    pair = pair_of(settings, "spheres")
-    met = meet(pair)
-    assert met is not None  # what never touches is known without steps
-    _, depth, speed = groups_of(pair, met)
-    enclosed = found(lambda: collisions.spheres(pair, depth, speed), collisions.PRECISIONS)
-    return enclosed.only(NAMES)
 
 
 def collided(pair: Pair, tolerance: float) -> Run:
@@ -117,4 +106,4 @@ def _twice(pair: Pair, met: Touching, tolerance: float) -> tuple[Parting, float,
     return fine, SAFE * max(*seen, 5e-15, LUCK * allowed[0]), coarse.evaluations + fine.evaluations
 
 
-SCENE = SceneDefinition("two spheres collide in a plane, with or without damping", SETTINGS, play, proven)
+SCENE = SceneDefinition("two spheres collide in a plane, with or without damping", SETTINGS, play)

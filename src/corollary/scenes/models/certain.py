@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import nullcontext, suppress
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TypeVar
@@ -13,7 +13,6 @@ from flint import acb, arb, ctx
 
 from corollary.formula.ball import MOST_BITS, precision_of
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
-from corollary.scenes.progress import part
 from corollary.scenes.run import GuardFailed, Measurement, Model, Observed, Outcome, Run
 
 Balls = arb | tuple[arb, ...]
@@ -45,26 +44,21 @@ class Evaluated:
     warnings: tuple[str, ...] = ()
 
 
-def found(compute: Callable[[], Evaluated], precisions: Iterable[int] | None = None) -> Run:
+def found(compute: Callable[[], Evaluated]) -> Run:
     """The values as the doubles next to them, each with a proven bound. `compute` works at the precision that is set.
 
-    `precisions` (bits) are tried in turn; twice as many each time, if none are named. A value beyond the doubles is left out, and a
-    warning says what it is. Raises GuardFailed when no precision decides what happens.
+    Twice as many bits are tried each time. A value beyond the doubles is left out, and a warning says what it is. Raises GuardFailed
+    when no precision decides what happens.
     """
-    last, tried = None, None if precisions is None else tuple(precisions)
-    for n, bits in enumerate(_doubled() if tried is None else tried):
-        with (
-            precision_of(bits),
-            nullcontext() if tried is None else part(n / len(tried), (n + 1) / len(tried)),
-        ):
+    last = None
+    for bits in _doubled():
+        with precision_of(bits):
             try:
                 last = compute()
             except MoreDigits:
                 last = None
             if last is not None and all(_known(each, bits) for each in last.values.values()):
                 break
-    if last is None and tried is not None:
-        raise GuardFailed("So many digits do not enclose this motion, which hangs strongly on its start.")
     if last is None:
         raise GuardFailed(
             "These settings lie on the very edge between two outcomes; move one of them by a little."

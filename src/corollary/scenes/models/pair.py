@@ -227,35 +227,17 @@ def collision(pair: Pair) -> Evaluated:
     """
     met, no = touch(pair), arb(0)
     if met is None:
-        return _observed(pair, "missed", (no, no), (no, no, no), PASS, "conservation", True)
+        return _observed(pair, "missed", (no, no), (no, no, no), PASS, "conservation")
     top, turned, lasted = turned_and_lasted(pair, met.inward, met.spin)
-    force = arb(pair.contact.k) * top ** arb(pair.contact.q)
-    return after_contact(pair, met, (turned, met.inward, met.spin), (top, force, lasted), NO_DAMPING)
-
-
-def after_contact(
-    pair: Pair,
-    met: Touch,
-    parting: tuple[arb, arb, arb],
-    contact: tuple[arb, arb, arb],
-    why: str,
-) -> Evaluated:
-    """What is observed of two spheres that part: having turned by an angle, at a rate outward, with a spin.
-
-    `contact` is the largest overlap, the largest force and the duration.
-    """
-    turned, outward, spin = parting
+    contact = top, arb(pair.contact.k) * top ** arb(pair.contact.q), lasted
     c, s = turned.cos(), turned.sin()
     x, y = met.direction
     length = (x * x + y * y).sqrt()
     nx, ny = (x * c - y * s) / length, (x * s + y * c) / length
-    across, (a, b) = spin / arb(pair.reach), _before(pair)
+    across, (a, b) = met.spin / arb(pair.reach), _before(pair)
     u, v = b[0] - a[0], b[1] - a[1]
-    change = outward * nx - across * ny - u, outward * ny + across * nx - v
-    # One that begins squeezed gives more than it took.
-    elastic = pair.contact.eta == 0.0 and met.overlap.is_zero()
-    model: Model = "quadrature" if elastic else "integration"
-    return _observed(pair, "released", change, contact, why, model, elastic)
+    change = met.inward * nx - across * ny - u, met.inward * ny + across * nx - v
+    return _observed(pair, "released", change, contact, NO_DAMPING, "quadrature")
 
 
 def _before(pair: Pair) -> list[tuple[arb, ...]]:
@@ -269,19 +251,13 @@ def _observed(
     contact: tuple[arb, arb, arb],
     why: str,
     model: Model,
-    elastic: bool,
 ) -> Evaluated:
     (ma, mb), mass, (a, b) = (arb(pair.mass_a), arb(pair.mass_b)), reduced_mass(pair), _before(pair)
     impulse = tuple(mass * c for c in change)
     then_a = tuple(v - j / ma for v, j in zip(a, impulse, strict=True))
     then_b = tuple(v + j / mb for v, j in zip(b, impulse, strict=True))
-    had, has = (
-        (ma * (p[0] * p[0] + p[1] * p[1]) + mb * (q[0] * q[0] + q[1] * q[1])) / 2
-        for p, q in ((a, b), (then_a, then_b))
-    )
     # An elastic contact gives back what it took, whatever the quadratures say.
-    if elastic:
-        has = had
+    energy = (ma * (a[0] * a[0] + a[1] * a[1]) + mb * (b[0] * b[0] + b[1] * b[1])) / 2
     values: dict[str, Balls] = {
         "velocities": (*then_a, *then_b),
         "duration": contact[2],
@@ -290,9 +266,8 @@ def _observed(
         "impulse": impulse,
         "impulses": (-impulse[0], -impulse[1], *impulse),
         "momentum": tuple(ma * p + mb * q for p, q in zip(a, b, strict=True)),
-        "energy": has,
+        "energy": energy,
+        "energy_ratio": arb(1),
     }
-    if elastic or not had.is_zero():  # two at rest have no energy to compare with
-        values["energy_ratio"] = arb(1) if elastic else has / had
-    conserved = ("energy_ratio", "momentum", "energy") if elastic else ()
-    return Evaluated(outcome, values, model, why, dict.fromkeys(conserved, CONSERVATION))
+    by: dict[str, tuple[Model, str]] = dict.fromkeys(("energy_ratio", "momentum", "energy"), CONSERVATION)
+    return Evaluated(outcome, values, model, why, by)

@@ -1,1 +1,0 @@
-"""Motions enclosed in ball arithmetic: each step proven, so that what comes out is a bound and no estimate."""
