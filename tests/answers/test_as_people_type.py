@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from corollary.answers.read_case import read_case
 
@@ -105,3 +107,40 @@ def test_the_stages_of_a_reading_are_told():
 )
 def test_a_reason_behind_a_number_gives_no_sign(text: str, read: object):
     assert value(text, "N") == read
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "told"),
+    [
+        ("1.571 rad^2", "rad", "wrong dimension"), ("90 deg^2", "deg", "wrong dimension"), ("3 sr", "rad", "wrong dimension"), ("0.3 1/rad", "rad", "wrong dimension"),
+        ("0.5 rad^2", "1", "wrong dimension"), ("3 rad^2/s", "rad/s", "wrong dimension"), ("5 %", "rad", "asked"),
+        ("12 % N", "N", "asked"), ("12 N %", "N", "asked"), ("12 ‰ N", "N", "asked"), ("12 ° N", "N", "asked"), ("50 %^2", "1", "asked"),
+        ("5 rad/s", "Hz", "asked"), ("300 °/s", "Hz", "asked"), ("60 rpm", "1/s", "asked"), ("5 Hz", "rad/s", "asked"),
+    ],
+)  # fmt: skip
+def test_a_power_of_an_angle_a_share_of_a_unit_and_a_turn_are_not_what_has_their_dimension(text, unit, told):
+    found = read_case({"text": text, "field": "quantity", "unit": unit})
+    assert told in (found["status"], found["verdict"])
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "si"),
+    [
+        ("5 G", "T", 5e-4), ("0.5 kG", "T", 0.05), ("300 mG", "T", 3e-5), ("5 Gs", "T", 5e-4), ("60 rpm", "Hz", 1), ("60 rev/min", "Hz", 1),
+        ("60 rpm", "rad/s", 2 * math.pi),
+        ("5 1/s", "rad/s", 5), ("3 rad m/s", "m/s", 3), ("9 rad^2 m/s^2", "m/s^2", 9), ("4 N m", "N m/rad", 4), ("4 N m/rad", "N m/rad", 4),
+        ("5 %/s", "1/s", 0.05), ("5 sr", "rad^2", 5),
+    ],
+)  # fmt: skip
+def test_radians_may_be_left_out_and_a_gauss_is_short_where_a_field_is_asked_for(text, unit, si):
+    assert value(text, unit) == pytest.approx(si, rel=1e-12)
+
+
+@given(
+    st.sampled_from(["rad", "deg", "mrad", "turn", "gon", "arcmin"]),
+    st.integers(-3, 3).filter(bool),
+    st.sampled_from(["rad", "deg", "1"]),
+)
+def test_of_the_powers_of_an_angle_only_the_first_is_an_angle_or_a_number(angle, power, asked):
+    found = read_case({"text": f"2 {angle}^{power}", "field": "quantity", "unit": asked})
+    assert (found["verdict"] == "compatible") == (power == 1)

@@ -25,7 +25,7 @@ from corollary.answers.tolerance import (
 )
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.messages import catalogue
-from corollary.units.unit import CALLED, ONE, Unit, called, show
+from corollary.units.unit import CALLED, ONE, Unit, kind, show
 
 _ = catalogue(__name__)
 
@@ -225,9 +225,7 @@ def _distinct(ways: Iterable[FollowThrough]) -> Iterable[FollowThrough]:
 
 def _hint(answer: Numbers, wanted: Quantity, question: Question) -> str:
     """What may be said without giving the value away."""
-    sort, unit = called(question.unit.dimension), show(question.unit)
-    if question.unit.is_angle:
-        sort = _("an angle")
+    sort, unit = kind(question.unit), show(question.unit)
     if len(answer.values) == 1 and wanted.values[0] and answer.values[0]:
         ratio = answer.values[0] / wanted.values[0]
         if abs(ratio) > 100 or abs(ratio) < 0.01:

@@ -35,7 +35,7 @@ from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, refused
 from corollary.formula.numerals import LONGEST, TO_ASCII, Written, decimal_text, scan_number
 from corollary.messages import catalogue, in_convention
-from corollary.units.unit import ONE, PURE, Dimension, Unit, called, read_unit, show
+from corollary.units.unit import ONE, PURE, Dimension, Unit, kind, read_unit, show
 
 _ = catalogue(__name__)
 
@@ -434,13 +434,13 @@ def _reading(
             "the unit is missing; write for example {example}",
             example=in_convention(f"{as_read} {show(expected)}"),
         )
-    elif expected is not None and size.dimension != expected.dimension:
+    elif expected is not None and not size.measures(expected):
         fit, why = "wrong dimension", _misfit(as_read, size, expected)
     return Reading(text, number.value, number.figures, number.least, unit, (ratio, pi), fit, why, as_read)
 
 
 def _misfit(as_read: str, size: Unit, expected: Unit) -> str:
-    wanted, found, example = called(expected.dimension), called(size.dimension), show(expected)
+    wanted, found, example = kind(expected), kind(size), show(expected)
     if not example:
         return _(
             "{wanted} is expected; {as_read} is {found}",

@@ -23,7 +23,7 @@ from corollary.formula.symbols import RUN
 from corollary.formula.syntax import author_formula
 from corollary.formula.text import text as formula_text
 from corollary.formula.value import Text, Value
-from corollary.units.unit import Dimension, Unit, called, canonical, read_unit, show
+from corollary.units.unit import Dimension, Unit, canonical, kind, read_unit, show
 from corollary.units.unit import unit as author_unit
 
 FIELDS = ("quantity", "expression", "unit")
@@ -130,11 +130,11 @@ def _unit(case: Mapping[str, Any]) -> dict[str, Any]:
     found = read_unit(case["text"])
     if isinstance(found, ParseError):
         return _trouble(found)
-    fits = expected is None or found.dimension == expected.dimension
+    fits = expected is None or found.measures(expected)
     why = (
         ""
         if fits or expected is None
-        else f"{called(expected.dimension)} is expected, for example in {show(expected) or '1'}; {show(found)} is {called(found.dimension)}"
+        else f"{kind(expected)} is expected, for example in {show(expected) or '1'}; {show(found)} is {kind(found)}"
     )
     return {
         "status": "ok",

@@ -10,7 +10,7 @@ from corollary.formula.errors import ParseError, ambiguous
 from corollary.messages import catalogue
 from corollary.units.run_together import WORD, in_capitals, other_cases
 from corollary.units.table import UNITS, UNSUGGESTED
-from corollary.units.unit import Unit, called, read_unit, show
+from corollary.units.unit import ONE, Unit, called, read_unit, show
 
 _ = catalogue(__name__)
 
@@ -22,7 +22,12 @@ DEGREE = re.compile(
     r"\s*(?:[⁰oO0]\s?|[°º]\s?|deg\s?)?(?P<scale>[CF])\s*[°º]?\s*|\s*(?:[°º⁰]|deg(?:rees?)?)\s*"
 )
 UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")
-HERTZ, RADIANS = re.compile(r"Hz\b"), re.compile(r"\brad\b")
+HERTZ, TURNS = re.compile(r"Hz\b"), re.compile(r"\b(?:turn|rpm)\b")
+SHARE = re.compile(r"[%‰]|\bpp[mb]\b")
+RATE_OF_SHARE = re.compile(r"(?:[%‰]|pp[mb])(?:/.*)?")
+OF_A_FIELD = re.compile(
+    r"\s*(?P<prefix>[mkuµμ]?)(?:G|Gs)\s*"
+)  # `5 G`: gauss where a magnetic field is asked for
 METRES = re.compile(r"(?<![A-Za-z])ms(?=\s?[\^⁻*-])")
 
 
@@ -32,22 +37,25 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
         return of_temperature
     if expected is not None and KILO.fullmatch(text) and expected.dimension == UNITS["kg"].dimension:
         return UNITS["kg"]
+    if expected is not None and (of_field := OF_A_FIELD.fullmatch(text)) and _fits(UNITS["gauss"], expected):
+        return read_unit(f"{of_field['prefix']}gauss")
     unit = read_unit(text)
     if expected is not None and (led := IN.match(text)) and not _fits(unit, expected):  # `83.6 in J`
         behind = read_unit(text[led.end() :])
         if _fits(behind, expected):
             return behind
-    if expected is not None and isinstance(unit, Unit) and "turn" in unit.text:
-        unit = _counted(unit, expected)
-    if _counts_turns(unit, expected):
-        return _turns_are_no_radians()
+    if expected is not None and isinstance(unit, Unit):
+        if TURNS.search(unit.text):
+            unit = _counted(unit, expected)
+        if (doubt := _doubtful(text, unit, expected)) is not None:
+            return doubt
     if expected is not None and text.strip() == "m" and expected.dimension == UNITS["s"].dimension:
         return ambiguous(_("m can be minutes or metres"), 0, "min", "m")
     if expected is None or (isinstance(unit, Unit) and unit.dimension == expected.dimension):
         return unit
     unknown = isinstance(unit, ParseError) and unit.status == "refused"
     if (unknown or in_capitals(text)) and (meant := _in_another_case(text, expected)) is not None:
-        return _turns_are_no_radians() if _counts_turns(meant, expected) else meant
+        return (_doubtful(text, meant, expected) or meant) if isinstance(meant, Unit) else meant
     if isinstance(unit, Unit) and (slip := _slip_of_case(text, unit, expected)) is not None:
         return slip
     twice = UNIT_TWICE.fullmatch(text)
@@ -68,19 +76,29 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
     return fitting[0] if len({each.factor for each in fitting}) == 1 else unit
 
 
-def _counts_turns(unit: Unit | ParseError, expected: Unit | None) -> bool:
-    """True of hertz where radians per second are asked for."""
-    if expected is None or not isinstance(unit, Unit):
-        return False
-    return bool(HERTZ.search(unit.text) and RADIANS.search(expected.text))
-
-
-def _turns_are_no_radians() -> ParseError:
-    return ParseError("asked", _("Hz counts whole turns, not radians"), None, _("write rad/s, or rpm"))
+def _doubtful(text: str, unit: Unit, expected: Unit) -> ParseError | None:
+    """What is asked about a unit of the right dimension: hertz for rad/s or the other way round, rpm where it is not said what is
+    counted, and a percent or a degree that stands beside a unit of something else (`12 % N`)."""
+    if unit.dimension != expected.dimension:
+        return None
+    if HERTZ.search(unit.text) and expected.angle:
+        return ParseError("asked", _("Hz counts whole turns, not radians"), None, _("write rad/s, or rpm"))
+    if HERTZ.search(expected.text) and unit.angle:
+        return ParseError("asked", _("Hz counts whole turns, not radians"), None, _("write Hz, or rpm"))
+    if "rpm" in unit.text and not expected.angle and not HERTZ.search(expected.text):
+        return ambiguous(_("{text} can count turns or radians", text=text.strip()), 0, "turn/min", "rad/s")
+    share, turned = SHARE.search(unit.text), unit.pi and not expected.angle and expected.dimension != ONE
+    if share and expected.is_angle:
+        why = _("{text} is a share, not an angle", text=text.strip())
+    elif turned or (share and not RATE_OF_SHARE.fullmatch(unit.text)):
+        why = _("{text} joins another unit with % or °", text=text.strip())
+    else:
+        return None
+    return ParseError("asked", why, None, _("write one number and a unit"))
 
 
 def _fits(unit: Unit | ParseError, expected: Unit) -> bool:
-    return isinstance(unit, Unit) and unit.dimension == expected.dimension
+    return isinstance(unit, Unit) and unit.measures(expected)
 
 
 def _temperature(text: str, expected: Unit) -> Unit | ParseError | None:
@@ -98,13 +116,13 @@ def _temperature(text: str, expected: Unit) -> Unit | ParseError | None:
 def _counted(unit: Unit, expected: Unit) -> Unit:
     """A turn as 1 where a number of turns or a frequency is asked for, and as 2 pi where an angle is."""
     if (
-        expected.pi
-        or unit.dimension != expected.dimension
-        or re.search(r"\b(?:rad|deg|turn)\b", expected.text)
+        not unit.measures(expected)
+        or expected.angle
+        or ("rpm" in unit.text and not HERTZ.search(expected.text))
     ):
         return unit
     power = unit.pi
-    return replace(unit, factor=unit.factor / Fraction(2) ** power, pi=0)
+    return replace(unit, factor=unit.factor / Fraction(2) ** power, pi=0, angle=unit.angle - power)
 
 
 def _in_another_case(text: str, expected: Unit) -> Unit | ParseError | None:

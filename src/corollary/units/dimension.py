@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from fractions import Fraction
 from operator import attrgetter
 
@@ -57,7 +57,8 @@ _all = attrgetter(*BASE)
 class Unit:
     """A unit and its size: one of it is `factor` times pi**`pi` in SI (a degree is pi/180, a percent 1/100).
 
-    `offset` is its zero in SI: 0 °C is 273.15 K. It counts where the unit stands alone, never in a product.
+    `offset` is its zero in SI: 0 °C is 273.15 K. It counts where the unit stands alone, never in a product. `angle` is the power of
+    a plane angle in it: 1 of rad/s, -1 of N m/rad, 2 of sr, which no dimension says.
     """
 
     text: str
@@ -65,6 +66,7 @@ class Unit:
     factor: Fraction = Fraction(1)
     pi: int = 0
     offset: Fraction = ZERO
+    angle: Fraction = field(default=ZERO, compare=False)  # the text tells it
 
     @property
     def si(self) -> float:
@@ -79,7 +81,16 @@ class Unit:
     @property
     def is_angle(self) -> bool:
         """True for degrees, radians and their kin."""
-        return self.dimension == ONE and (self.pi != 0 or "rad" in self.text)
+        return self.dimension == ONE and self.angle == 1
+
+    def measures(self, other: Unit) -> bool:
+        """True if quantities in this unit are of the kind of those in the other. Radians may be left out, and stand in a product
+        that has others (`rad^2 m/s^2`); a squared angle is no angle and no plain number."""
+        if self.dimension != other.dimension:
+            return False
+        if self.angle in (0, other.angle):
+            return True
+        return not other.angle and (self.dimension != ONE or self.angle == 1)
 
     @property
     def is_difference(self) -> bool:

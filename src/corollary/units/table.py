@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 from corollary.messages import N_
@@ -13,6 +14,8 @@ PREFIXES = {"": 0, **_BELOW, "y": -24, "r": -27, "q": -30, **_ABOVE, "R": 27, "Q
 TYPED = {"u": "uµμ", "k": "kK"}  # the two signs for micro, and Kg for kg, are both typed
 IN_WORDS = {"micro": "u", "milli": "m", "centi": "c", "kilo": "k", "mega": "M"}
 
+ANGLES = {"rad": Fraction(1), "sr": Fraction(2)}
+"""Powers of a plane angle that are not told by a pi in the size."""
 ROWS: list[tuple[str, ...]] = []
 """Every unit as it was registered."""
 WITH_PREFIXES: dict[str, Unit] = {}
@@ -34,10 +37,11 @@ def register(symbols: str, base_units: str, size: str = "1", prefixes: str = "",
     size_alone, _plus, zero = size.partition(" + ")
     dimension, pi, offset = Dimension.of(base_units), int("pi" in size), Fraction(zero or 0)
     factor = Fraction(size_alone.replace("*pi", "").replace("pi", "1"))
+    angle = ANGLES.get(symbols.split()[0], Fraction(pi))
     name = symbols.split()[0]
     found: dict[str, Unit] = {}
     for prefix in ("", *prefixes.split()):
-        unit = Unit(prefix + name, dimension, factor * Fraction(10) ** PREFIXES[prefix], pi, offset)
+        unit = Unit(prefix + name, dimension, factor * Fraction(10) ** PREFIXES[prefix], pi, offset, angle)
         signs = TYPED.get(prefix, prefix) if prefix else ("",)
         found |= {sign + symbol: unit for symbol in symbols.split() for sign in signs}
         spoken = [word for word, sign in IN_WORDS.items() if sign == prefix] or [""]
@@ -64,7 +68,8 @@ def prefixed(symbol: str) -> Unit | None:
         for sign in TYPED.get(prefix, (prefix,)):
             unit = WITH_PREFIXES.get(symbol.removeprefix(sign)) if sign and symbol.startswith(sign) else None
             if unit is not None:
-                return Unit(prefix + unit.text, unit.dimension, unit.factor * Fraction(10) ** power, unit.pi)
+                size = unit.factor * Fraction(10) ** power
+                return replace(unit, text=prefix + unit.text, factor=size, offset=Fraction(0))
     return None
 
 

@@ -24,6 +24,7 @@ __all__ = [
     "Unit",
     "called",
     "canonical",
+    "kind",
     "latex",
     "read_unit",
     "show",
@@ -229,7 +230,7 @@ def _power(text: str) -> Fraction | None:
 
 def _composed(factors: Factors) -> Unit | ParseError:
     """The product of powers of units."""
-    dimension, factor, pi = ONE, Fraction(1), Fraction(0)
+    dimension, factor, pi, angle = ONE, Fraction(1), Fraction(0), Fraction(0)
     for each, power in factors:
         size = _raised(each.factor, power)
         if size is None:
@@ -237,10 +238,11 @@ def _composed(factors: Factors) -> Unit | ParseError:
                 _("{unit} to the power {power} has no exact size", unit=each.text, power=power), None
             )
         dimension, factor, pi = dimension * each.dimension**power, factor * size, pi + each.pi * power
+        angle += each.angle * power
     if pi.denominator != 1:
         return refused(_("an angle has whole powers only"), None)
     alone = factors[0][0] if len(factors) == 1 and factors[0][1] == 1 else PURE
-    return Unit(_factors_text(factors), dimension, factor, int(pi), alone.offset)
+    return Unit(_factors_text(factors), dimension, factor, int(pi), alone.offset, angle)
 
 
 def _factors_text(factors: Factors) -> str:
@@ -299,6 +301,13 @@ def called(dimension: Dimension) -> str:
     """What a person calls it: a force, a velocity; otherwise by its SI unit."""
     name = CALLED.get(dimension)
     return _(name) if name else _("something in {unit}", unit=show(si_unit(dimension)))
+
+
+def kind(unit: Unit) -> str:
+    """What a person calls it that is measured in this unit: as `called`, but for an angle and its powers."""
+    if unit.angle not in (0, 1):
+        return _("something in {unit}", unit=show(unit))
+    return _("an angle") if unit.is_angle else called(unit.dimension)
 
 
 def canonical(unit: Unit) -> str:
