@@ -68,6 +68,7 @@ def derive(m, L, v0, y, g):
             law("Even chain", "mu = m*y/L"),
             law("Rate", "R = m/L*v_0", holds="R = dμ/dt", v_0=v0),
             target=law("The force", "F = (m/L)*(v_0^2 + g*y)", v_0=v0),
+            rates={mu: R, y: v0},
             lines=[
                 "F - mu*g = v0*R",
                 "R = (m/L)*v0",

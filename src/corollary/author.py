@@ -227,10 +227,13 @@ def proof(
     lines: Sequence[str],
     mistakes: Sequence[Mistake[Exchange]] = (),
     given: Sequence[Law] = (),
+    rates: Mapping[sympy.Symbol, Any] | None = None,
 ) -> Proof[Law]:
     """A "show that": the laws it may start from, the equation to arrive at, and one good proof, line by line.
 
     `given` is what the question states besides, each with a letter alone on its left (`m_B = m_A`): nobody has to write it.
+    `rates` are the derivatives by time of the letters that change (`{mu: R, y: v0}`), by which `d(mu*v)/dt` is read; where they are
+    stated, every other given is constant.
     """
     wrong = tuple(Mistake(each.text, each.rule.laws, each.line) for each in mistakes)
     (target,) = only_laws((target,))
@@ -241,6 +244,7 @@ def proof(
         tuple(lines),
         wrong,
         only_laws(given),
+        tuple((letter.name, as_expression(rate)) for letter, rate in (rates or {}).items()),
     )
 
 

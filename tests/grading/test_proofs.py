@@ -260,3 +260,65 @@ def test_a_line_that_divides_by_what_may_be_zero_names_it(verdict, line, divisor
 def test_dividing_by_givens_that_are_not_zero_is_right(verdict):
     along = "(A_x + B_x)/(mA*v0) = 1/mA"
     assert isinstance(verdict("S12.5nc", ALONG_X, ALONG_Y, ENERGY, along, ORTHOGONAL), Right)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        (MASS, "R = dmu/dt", "R = m/L*v0", "F - mu*g = d(mu*v0)/dt", "F - mu*g = R*v0", TARGET),
+        (MASS, "R = m/L*v0", "dp/dt = R*v0", "F - mu*g = dp/dt", TARGET),
+        ("p = mu*v0", "dp/dt = F - mu*g", "R = m/L*v0", MASS, "dp/dt = m/L*v0^2", TARGET),
+        ("p = mu*v0", "F = dp/dt + mu*g", MASS, "dmu/dt = m/L*dy/dt", "dy/dt = v0", "dp/dt = m/L*v0^2", TARGET),
+        ("F - mu*g = d/dt (mu v0)", "mu = m y/L", "d/dt (mu) = m/L v0", TARGET),
+        (r"F - \mu g = \frac{d(\mu v_0)}{dt}", r"\mu = m y/L", r"\frac{d\mu}{dt} = \frac{m}{L} v_0", TARGET),
+        (r"F - \mu g = \frac{d}{dt}(\mu v_0)", r"\mu = m y/L", r"\frac{d \mu}{dt} = \frac{m}{L} v_0", TARGET),
+        ("F - mu*g = v0*dmu/dt + mu*dv0/dt", "dv0/dt = 0", MASS, "dmu/dt = m*v0/L", TARGET),
+        ("ṗ = R v0", "F - mu g = ṗ", MASS, RATE, TARGET),
+        (r"\dot{\mu} = R", NEWTON, MASS, RATE, TARGET),
+        ("∂p/∂t = R*v0", "F - mu*g = ∂p/∂t", MASS, RATE, TARGET),
+        ("F - mu*g = d(mu v0)/dt = v0*dmu/dt = v0*R", "R = d(m*y/L)/dt = (m/L)*v0", MASS, TARGET),
+    ],
+)  # fmt: skip
+def test_a_derivative_by_time_is_worked_out_by_what_the_problem_says_of_rates(verdict, lines):
+    assert isinstance(verdict("X12.13", *lines), Right)
+
+
+@pytest.mark.parametrize(
+    ("lines", "line"),
+    [
+        ((NEWTON, "dmu/dt = 2*R", MASS, RATE, TARGET), "Line 2 does not hold: dmu/dt = 2*R"),
+        ((NEWTON, r"\dot{\mu} = 2*R", MASS, RATE, TARGET), "Line 2 does not hold: dmu/dt = 2*R"),
+        ((NEWTON, "dmu/dt = 0", MASS, RATE, TARGET), "Line 2 does not hold: dmu/dt = 0"),
+        ((NEWTON, "d(mu*v0)/dt = R*v0/2", MASS, RATE, TARGET), "Line 2 does not hold"),
+        (("p = mu*v0", "dp/dt = 0", NEWTON, MASS, RATE, TARGET), "Line 2 does not hold"),
+        ((NEWTON, "dv0/dt = g", MASS, RATE, TARGET), "Line 2 does not hold: dv0/dt = g"),
+    ],
+)
+def test_a_false_derivative_is_named_as_it_was_typed(verdict, lines, line):
+    found = verdict("X12.13", *lines)
+    assert isinstance(found, Wrong)
+    assert line in found.why
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        (NEWTON, "dF/dt = 0", MASS, RATE, TARGET),
+        (NEWTON, "dF/dt = m*g*v0/L", MASS, RATE, TARGET),
+        (NEWTON, "d(sin(y))/dt = v0*cos(y)", MASS, RATE, TARGET),
+        (NEWTON, "d(mu*v0)/dx = R", MASS, RATE, TARGET),
+        (NEWTON, "d2y/dt2 = 0", MASS, RATE, TARGET),
+        ("F - mu*g = dp/dt", "dp/dt = R*v0 + u", MASS, RATE, TARGET),
+    ],
+)
+def test_a_derivative_of_which_nothing_is_known_is_for_a_person(verdict, lines):
+    assert isinstance(verdict("X12.13", *lines), Unmarked)
+
+
+def test_where_nothing_is_said_of_rates_a_person_reads_them(verdict):
+    """Not known to be constant, a letter may change: neither its derivative nor a line with it is believed or called wrong."""
+    for line in ("dvA/dt = 0", "d(mA*vA)/dt = mA*dvA/dt", "dr/dt = 1", "dvA/dt = dvB/dt"):
+        assert isinstance(verdict("S12.5two", MOMENTUM, RESTITUTION, CHANGE, line, LOSS), Unmarked | Right), (
+            line
+        )
+        assert not isinstance(verdict("S12.5two", MOMENTUM, RESTITUTION, CHANGE, line, LOSS), Wrong)

@@ -86,6 +86,31 @@ def test_a_claim_that_the_laws_of_its_proof_do_not_imply(verified, problem):
     met(checked, "are not found to imply F = m*v/t", 19, "cart.md")
 
 
+RATES = SHOW.replace('"F = m*v/t"])', '"F = m*v/t"], rates={%s})')
+
+
+def test_rates_that_a_law_of_the_proof_contradicts(verified, problem):
+    """Where p changes and neither m nor v does, p = m*v does not go on to hold."""
+    laws = "momentum(p, m, v), rest"
+    checked = verified(RATES % (laws, "p: F"), problem=problem + TO_SHOW)
+    met(checked, "by its rates= the law p = m*v does not go on to hold", 19, "cart.md")
+
+
+def test_rates_by_which_the_laws_go_on_to_hold(verified, problem):
+    assert verified(RATES % ("momentum(p, m, v), rest", "p: F, v: F/m"), problem=problem + TO_SHOW).ok
+
+
+def test_a_rate_of_an_unknown_letter_says_which(verified, problem):
+    strange = RATES % ("momentum(p, m, v), rest", 'p: unknown("q")')
+    text = str(
+        verified(
+            strange.replace("rest = law", "from corollary.author import unknown\n    rest = law"),
+            problem=problem + TO_SHOW,
+        ).complaints
+    )
+    assert "q in rates= is neither given nor found" in text
+
+
 def test_a_simulation_that_disagrees(verified):
     met(verified(more=SCENE % "2*v"), "where the algebra says", 17)
 

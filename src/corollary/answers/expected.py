@@ -111,7 +111,8 @@ class Requirement:
 class Claim:
     """An equation to be shown from laws.
 
-    `given` are equations that the question states besides. `wrong` are equations that tell a misconception. `points` are
+    `given` are equations that the question states besides, `rates` the derivatives by time of the letters that change; where there
+    are some, every other given is constant. `wrong` are equations that tell a misconception. `points` are
     values at which every law holds, `domain` says between which values the givens lie.
     """
 
@@ -121,6 +122,7 @@ class Claim:
     points: Callable[[], Sequence[Point]]
     given: tuple[Relation, ...] = ()
     domain: Callable[[], Mapping[str, tuple[float, float]]] = dict[str, tuple[float, float]]
+    rates: tuple[tuple[str, Expr], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -46,7 +46,8 @@ def applied_proof(entry: Proof[Law]) -> SolvedProof:
     for equation in (equation for law in given for equation in law.here):
         if not isinstance(equation.left, Name):
             raise ValueError(f"{text(equation)} is given, but has no letter alone on its left")
-    return Proof(entry.statement, laws, applied(entry.target), entry.lines, mistakes, given)
+    rates = tuple((letter, tree(by_name(rate))) for letter, rate in entry.rates)
+    return Proof(entry.statement, laws, applied(entry.target), entry.lines, mistakes, given, rates)
 
 
 def strange_letter(entry: Proof[Law], known: Collection[str]) -> str:
@@ -58,6 +59,9 @@ def strange_letter(entry: Proof[Law], known: Collection[str]) -> str:
                 f"{strange[0]} in {law.name or text(law.textbook)} is neither given nor found; "
                 "find it in a step, or say what it is in given=[law(…)]"
             )
+    for letter, rate in entry.rates:
+        if strange := sorted({letter, *(each.name for each in rate.free_symbols)} - defined - set(known)):
+            return f"{strange[0]} in rates= is neither given nor found"
     return ""
 
 

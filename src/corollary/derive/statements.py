@@ -214,7 +214,8 @@ class Plot:
 
 @dataclass(frozen=True, slots=True)
 class Proof(Generic[LawT]):
-    """An equation to be shown from laws, and one good way; `given` is what the question states besides."""
+    """An equation to be shown from laws, and one good way; `given` is what the question states besides, `rates` are the derivatives by
+    time of the letters that change."""
 
     statement: Statement
     laws: tuple[LawT, ...]
@@ -222,6 +223,7 @@ class Proof(Generic[LawT]):
     lines: tuple[str, ...]
     mistakes: tuple[Mistake[tuple[LawT, ...]], ...]
     given: tuple[LawT, ...] = ()
+    rates: tuple[tuple[str, Any], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -127,6 +127,7 @@ def _claim(key: Key, part: str) -> Claim:
         partial(lawful_points, key, [equation for law in proof.given for equation in law.here]),
         tuple(equation for law in proof.given for equation in law.here),
         partial(domain, key.variant.problem),
+        proof.rates,
     )
 
 

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from corollary.answers.answer import Equation
 from corollary.answers.evaluation import number
+from corollary.answers.expected import Claim
 from corollary.answers.proof.argument import sufficient
 from corollary.answers.proof.judging import grounds_of
+from corollary.answers.proof.rates import derivative, with_known_rates
+from corollary.answers.proof.truth import truths
+from corollary.answers.question import Question
 from corollary.answers.questions import question_in
 from corollary.answers.registry import answer_type, judging
 from corollary.answers.sample import Sample, Truth
 from corollary.answers.verdict import described, word
+from corollary.formula.ast import Relation
 from corollary.formula.text import text
 from corollary.grading.expected import expected_of
 from corollary.grading.free_body import as_answered, free_body
@@ -36,7 +42,7 @@ def check_samples(key: Key, tally: Tally) -> None:
 
 
 def check_claims(key: Key, tally: Tally) -> None:
-    """The laws that a proof names imply what it is to show."""
+    """The laws that a proof names imply what it is to show, and hold at all times by its rates."""
     for part in key.variant.problem.parts:
         expected = expected_of(key, part)
         if expected.claim is None:
@@ -47,6 +53,28 @@ def check_claims(key: Key, tally: Tally) -> None:
                 f"{key.variant.problem.path.name}:{part.line}: part {part.id}: the laws of the proof are not found to imply "
                 f"{text(expected.claim.target)}: every derivation would wait for a person; name the law that is missing"
             )
+        for law in changing(expected.claim, expected.question):
+            tally.complain(
+                f"{key.variant.problem.path.name}:{part.line}: part {part.id}: by its rates= the law {text(law)} does not go on to hold; "
+                "name the derivative of each letter in it that changes"
+            )
+
+
+def changing(claim: Claim, question: Question) -> list[Relation]:
+    """The laws of a proof that its rates contradict: whose sides change otherwise, where all that is in them has a known rate."""
+    if not claim.rates:
+        return []
+    rates = dict(claim.rates)
+    found: list[Relation] = []
+    for law in (*claim.laws, claim.target):
+        moved = [derivative(side) for side in (law.left, law.right)]
+        if moved[0] is None or moved[1] is None:
+            continue
+        step = Equation(Relation("=", moved[0], moved[1]), 0)
+        (known,) = with_known_rates((step,), rates, set(question.symbol_names) - set(rates))
+        if "false" in truths((known,), claim.points()):
+            found.append(law)
+    return found
 
 
 def samples(key: Key, part: Part) -> tuple[Sample, ...]:

@@ -9,6 +9,8 @@ from corollary.answers.answer import Answer, Chain, Equation
 from corollary.answers.expected import Claim, Expected, Point
 from corollary.answers.proof.argument import Grounds, equal_to, standings, sufficient
 from corollary.answers.proof.form import repeats
+from corollary.answers.proof.rates import letter_of, with_known_rates
+from corollary.answers.proof.steps import defined
 from corollary.answers.proof.truth import truths
 from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth
@@ -32,7 +34,7 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
     assert isinstance(answer, Chain)
     claim = expected.claim
     assert claim is not None
-    steps, points = answer.steps, claim.points()
+    steps, points = _with_rates(answer.steps, claim, expected.question), claim.points()
     grounds = grounds_of(claim, points, expected.question)
     held = truths(steps, points)
     if not points:
@@ -51,8 +53,17 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
             _on_the_way(steps[:place], held[:place], claim, grounds), Right
         ):  # it had been shown; what is said of it then, for r = 0 perhaps, need not hold for every r
             return _open(steps[place].line, claim)
-        return _false(steps, place, claim, grounds)
+        return _false(steps, place, claim, grounds, text(answer.steps[place].relation))
     return _on_the_way(steps, held, claim, grounds)
+
+
+def _with_rates(steps: Sequence[Equation], claim: Claim, question: Question) -> Sequence[Equation]:
+    """The steps with what the problem says of derivatives; of one of which it says nothing, a person decides."""
+    if not any(letter_of(name) for step in steps for name in names(step.relation)):
+        return steps
+    rates, known = dict(claim.rates), frozenset({*question.symbol_names, *question.components, "pi"})
+    constants = set(question.symbol_names) if rates else set[str]()
+    return defined(with_known_rates(steps, rates, constants), known, rates_known=False)
 
 
 def grounds_of(claim: Claim, points: Sequence[Point], question: Question) -> Grounds:
@@ -129,8 +140,8 @@ def _open(line: int, claim: Claim) -> Unmarked:
     )
 
 
-def _false(steps: Sequence[Equation], place: int, claim: Claim, grounds: Grounds) -> Verdict:
-    """Names the line, and those that say what the letters of the student's own in it stand for."""
+def _false(steps: Sequence[Equation], place: int, claim: Claim, grounds: Grounds, relation: str) -> Verdict:
+    """Names the line as it was typed, and those that say what the letters of the student's own in it stand for."""
     step = steps[place]
     own = [
         _("{letter} as line {line} defines it", letter=each.defines, line=each.line)
@@ -150,7 +161,6 @@ def _false(steps: Sequence[Equation], place: int, claim: Claim, grounds: Grounds
         mistake = -1
     if mistake >= 0:
         return Mistaken(_("Line {line}: {mistake}", line=step.line, mistake=claim.wrong[mistake][1]))
-    relation = text(step.relation)
     if own:
         return Wrong(
             _(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from corollary.answers.answer import Equation, Unclear
@@ -17,6 +17,7 @@ from corollary.answers.proof.line_text import (
     sides,
     without_bullets,
 )
+from corollary.answers.proof.rates import letter_of, with_stand_ins, worked_out
 from corollary.formula.ast import Expr, Name, Relation, names
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.symbols import RUN, letters, read_run
@@ -30,6 +31,15 @@ MOST_STEPS = 120
 
 def steps_of(lines: Sequence[tuple[int, str]], known: Sequence[str]) -> tuple[Equation, ...] | Unclear:
     """The equations in order; `a = b = c` says two things of a, `= b` goes on from the line before, words alone are none."""
+    found = with_stand_ins(lines, known)
+    steps = _steps_of(found.lines, known, found.of)
+    return _steps_of(lines, known, {}) if isinstance(steps, Unclear) and found.of else steps
+
+
+def _steps_of(
+    lines: Sequence[tuple[int, str]], known: Sequence[str], of: Mapping[str, Expr]
+) -> tuple[Equation, ...] | Unclear:
+    """The equations of lines in which letters stand for derivatives."""
     typed = _typed(lines, known)
     if isinstance(typed, Unclear):
         return typed
@@ -48,7 +58,7 @@ def steps_of(lines: Sequence[tuple[int, str]], known: Sequence[str]) -> tuple[Eq
             _("more than {count} equations; keep to the steps that matter", count=MOST_STEPS),
             equation.strip()[:80],
         )
-    return _defined(steps, frozenset(known) | {"pi"})
+    return defined(worked_out(steps, of), frozenset(known) | {"pi"}, rates_known=True)
 
 
 def _typed(lines: Sequence[tuple[int, str]], known: Sequence[str]) -> list[tuple[int, str]] | Unclear:
@@ -137,9 +147,14 @@ def _steps(
     ]
 
 
-def _defined(steps: Sequence[Equation], known: frozenset[str]) -> tuple[Equation, ...]:
-    """The steps, with what each defines; a letter is defined by the first line that says what it is in letters that are known."""
-    found, understood = list(steps), set(known)
+def defined(steps: Sequence[Equation], known: frozenset[str], *, rates_known: bool) -> tuple[Equation, ...]:
+    """The steps, with what each defines; a letter is defined by the first line that says what it is in letters that are known.
+
+    `rates_known`: how a letter changes is known where the letter is; else only a person can say it of a known letter.
+    """
+    found = list(steps)
+    rates = {name for step in steps for name in names(step.relation) if letter_of(name)}
+    understood = set(known) | {name for name in rates if rates_known and letter_of(name) in known}
     while more := next(
         (
             (place, name)
@@ -151,6 +166,7 @@ def _defined(steps: Sequence[Equation], known: frozenset[str]) -> tuple[Equation
         place, name = more
         found[place] = replace(found[place], defines=name)
         understood.add(name)
+        understood |= {each for each in rates if rates_known and letter_of(each) == name}
     sides_of_steps = [side for step in steps for side in (step.relation.left, step.relation.right)]
     alone = {side.name for side in sides_of_steps if isinstance(side, Name)}
     return tuple(
@@ -167,6 +183,8 @@ def _defined(steps: Sequence[Equation], known: frozenset[str]) -> tuple[Equation
 def _new(relation: Relation, understood: set[str]) -> str:
     """The letter that is new and alone on one side of what is otherwise understood."""
     for one, other in ((relation.left, relation.right), (relation.right, relation.left)):
-        if isinstance(one, Name) and one.name not in understood and names(other) <= understood:
+        if not isinstance(one, Name) or letter_of(one.name) in understood:
+            continue  # how a letter changes that has a meaning is no definition
+        if one.name not in understood and names(other) <= understood:
             return one.name
     return ""
