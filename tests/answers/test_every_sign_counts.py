@@ -6,6 +6,7 @@ import json
 import re
 from pathlib import Path
 
+import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
@@ -82,10 +83,11 @@ def same_spelling(text: str, shorter: str) -> bool:
     )
 
 
-def test_each_sign_of_the_collected_answers_counts():
+@pytest.mark.parametrize("every", [8, pytest.param(1, marks=pytest.mark.whole)])
+def test_each_sign_of_the_collected_answers_counts(every):
     texts = accepted()
     assert len(texts) > 900
-    assert not [each for text, unit in texts for each in violations(text, unit)]
+    assert not [each for text, unit in texts[::every] for each in violations(text, unit)]
 
 
 NUMBER = st.one_of(

@@ -15,7 +15,7 @@ from chains import measure
         ("S12.5r", "a height that goes with the tenth power of what was written in three figures"),
     ],
 )
-@pytest.mark.parametrize("figures", [3, 4])
+@pytest.mark.parametrize("figures", [3, pytest.param(4, marks=pytest.mark.whole)])
 def test_a_chain_is_carried(code, why, figures):
     found = measure(1, figures, [code])
     assert found["chains"] > 10

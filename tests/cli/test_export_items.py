@@ -50,6 +50,7 @@ def test_a_set_and_a_problem_by_its_code_are_pools(run, tmp_path: Path) -> None:
     assert (tmp_path / "q/kicking_a_ball-qti.zip").exists()
 
 
+@pytest.mark.whole
 def test_in_a_course_its_own_sets_are_known(run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Their file lies outside of the bank."""
     week = tmp_path / "week1.md"

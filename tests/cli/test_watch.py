@@ -126,8 +126,11 @@ def test_one_problem_for_a_person(bank, words):
 def test_it_follows_what_is_saved_until_stopped(bank, problem):
     command = [str(Path(sys.executable).with_name("corollary")), "verify", "--watch", "Q1"]
     running = subprocess.Popen(
-        [*command, "--bank", str(bank.folder), "--variants", "3"], stdout=subprocess.PIPE, text=True
-    )
+        [*command, "--bank", str(bank.folder), "--variants", "3"],
+        stdout=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    )  # tests that run in the background of a shell ignore SIGINT, and what they start inherits it
     assert running.stdout is not None
     try:
         until(running.stdout, "all hold")

@@ -82,6 +82,7 @@ def test_commands_without_a_course(tmp_path: Path, words: list[str], expected: s
     assert "should not have happened" not in done.stderr
 
 
+@pytest.mark.whole
 def test_a_course_is_generated_and_exported_there_and_grading_says_where_it_works(tmp_path: Path):
     (tmp_path / "roster.csv").write_text("id\nada\n")
     (tmp_path / "one.md").write_text("---\ntitle: One\ndue: 2999-12-04\nproblems: [X12.5]\n---\n")

@@ -116,6 +116,7 @@ def test_there_are_sixty_problems_of_eleven_topics():
     assert len(every) == len(set(every)) == len(texts)
 
 
+@pytest.mark.whole
 def test_students_of_one_of_each(run):
     counts = played(run, 1, *SAMPLE.values())
     assert counts["right"] == 4 + 3 + 4

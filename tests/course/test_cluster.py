@@ -19,6 +19,7 @@ from .small_class import POINTS, handed_in, order
 distributed = pytest.importorskip("distributed", reason="needs Dask: pip install '.[dask]'")
 
 
+@pytest.mark.whole
 def test_a_worker_killed_on_the_way_loses_nothing(tmp_path: Path) -> None:
     by = order(tmp_path)
     papers = handed_in(by)

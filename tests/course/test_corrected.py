@@ -52,6 +52,7 @@ def ball(tmp_path: Path) -> ChangingBank:
     return ball
 
 
+@pytest.mark.whole
 def test_another_range_and_another_unit_move_no_marks(ball: ChangingBank) -> None:
     released = {path: path.read_bytes() for path in ball.course.glob("release/*/week/week.ipynb")}
     ball.write(Text(givens=RANGE, words="A heavy ball of {{m}} moves at {{v}} for {{dt}}."))
@@ -65,6 +66,7 @@ def test_another_range_and_another_unit_move_no_marks(ball: ChangingBank) -> Non
     assert sheets["cyd"].exercises[0].statement.startswith("A heavy ball of")
 
 
+@pytest.mark.whole
 def test_a_part_that_is_gone_keeps_its_marks_and_one_that_is_new_is_for_newcomers(ball: ChangingBank) -> None:
     ball.write(Text(parts=("a", "d", "b")))
     made = ball.generate("ada", "ben", "cyd")

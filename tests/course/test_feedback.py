@@ -30,6 +30,7 @@ def course(graded: Path) -> Path:
     return graded
 
 
+@pytest.mark.whole
 def test_by_the_numbers_of_what_was_collected(course: Path) -> None:
     opened = open_course(course)
     problem_set = set_of(opened, "one")[1]

@@ -73,6 +73,7 @@ def points_again(course: Course) -> dict[str, float]:
     return found
 
 
+@pytest.mark.whole
 def test_another_share_for_late_work(course: Course):
     file = course.folder.parent / "one.md"
     file.write_text(SET.replace("late: 0.8", "late: 0.5"))
@@ -82,6 +83,7 @@ def test_another_share_for_late_work(course: Course):
     assert points_again(course) == {"ada": 5.0, "ben": 4.0, "cyd": 2.5}
 
 
+@pytest.mark.whole
 def test_another_date_for_everybody(course: Course):
     file = course.folder.parent / "one.md"
     file.write_text(SET.replace("2026-03-02T12", "2026-03-05T12"))

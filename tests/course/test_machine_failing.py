@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
+import pytest
 from click.testing import CliRunner, Result
 
 from corollary.cli.commands import app
@@ -49,6 +50,7 @@ def command(*words: object) -> Result:
     return CliRunner().invoke(app, [str(word) for word in words], catch_exceptions=False)
 
 
+@pytest.mark.whole
 def test_who_could_not_be_run_is_named_and_marked_by_the_next_run(tmp_path: Path) -> None:
     place = tmp_path / "course"
     roster = tmp_path / "roster.csv"

@@ -103,6 +103,7 @@ def test_a_group_is_accepted_for_all_its_students_and_stays_so(course: tuple[Pat
     assert f"--accept {power['id']}: one has no near misses of this name; its groups are " in gone.stderr
 
 
+@pytest.mark.whole
 def test_what_was_accepted_stands_for_that_answer_only(course: tuple[Path, Graded]):
     folder, _ = course
     group = near_misses(folder)[0]["id"]
@@ -115,12 +116,14 @@ def test_what_was_accepted_stands_for_that_answer_only(course: tuple[Path, Grade
     ]
 
 
+@pytest.mark.whole
 def test_a_mark_by_hand_takes_it_off_the_list(course: tuple[Path, Graded]):
     folder, _ = course
     assert command(folder, "mark", "--set", "cyd/X12.5c=0").returncode == 0
     assert "c" not in {each["part"] for each in near_misses(folder)}
 
 
+@pytest.mark.whole
 def test_the_page_for_marking_shows_each_group_with_one_button(course: tuple[Path, Graded]):
     folder, _ = course
     line = [str(COMMAND), "mark", "one", "--course", str(folder), "--no-browser"]

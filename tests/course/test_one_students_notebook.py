@@ -161,6 +161,7 @@ def test_a_failure_while_reading_or_writing_one_students_work(course: Path, monk
     assert not read_failures(opened, "one")
 
 
+@pytest.mark.whole
 def test_what_hears_no_signal_is_ended_and_the_others_are_marked(tmp_path: Path, monkeypatch) -> None:
     by = order(tmp_path)
     papers = handed_in(by)

@@ -117,6 +117,7 @@ def test_the_points_of_a_part(course: Course) -> None:
     assert sorted(found_scores) == [(2.0,), (4.0,)]
 
 
+@pytest.mark.whole
 def test_nbgrader_has_them_out_of_what_was_agreed_to(course: Course) -> None:
     """Its maximum is one number for everybody: it stays while anybody's mark is out of the points of before."""
 

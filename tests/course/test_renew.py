@@ -142,6 +142,7 @@ def test_a_rename_is_not_told_as_other_numbers(ball: ChangingBank) -> None:
     assert "the numbers" not in changed.why
 
 
+@pytest.mark.whole
 def test_a_part_and_a_problem_are_called_otherwise(ball: ChangingBank) -> None:
     ball.hand_in(ball.generate("ada", "ben", "cyd"), "ada", X1_1_c="1e9")
     first = ball.grade(open_course(ball.course)).records["ada"]
@@ -163,6 +164,7 @@ def test_a_part_and_a_problem_are_called_otherwise(ball: ChangingBank) -> None:
     assert [each["code"] for each in ball_parts[1]["corrections"]] == ["X1.1"]
 
 
+@pytest.mark.whole
 def test_a_problem_of_another_code_is_asked_about(ball: ChangingBank) -> None:
     before = numbers(ball)
     ball.grade(open_course(ball.course))

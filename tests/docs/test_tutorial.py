@@ -21,6 +21,7 @@ def squeezed(text: str) -> str:
     return " ".join(text.split())
 
 
+@pytest.mark.whole
 def test_from_nothing_to_marked(tmp_path):
     section = PAGE.read_text(encoding="utf-8").partition("## Ten minutes")[2].partition("\n## ")[0]
     blocks = BLOCK.findall(section)

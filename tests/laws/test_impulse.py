@@ -1,7 +1,7 @@
 """Impulses are areas under curves, in one piece or in several."""
 
 import sympy
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from corollary.laws import direction, force_on_standing, impulse_of, impulse_of_constant_force
@@ -18,6 +18,7 @@ def area(*pieces):
     return right
 
 
+@settings(max_examples=25)  # of integrals of a cubic; more of them say nothing new
 @given(whole, whole, whole)
 def test_an_impulse_cut_in_two_is_the_sum(force, middle, end):
     pulse = force + 3 * t**2

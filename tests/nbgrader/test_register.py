@@ -213,6 +213,7 @@ def grades(book: Gradebook, student: str) -> dict[str, tuple[float | None, float
     }
 
 
+@pytest.mark.whole
 def test_stock_commands_work_on_what_we_wrote(course: Course, week: ProblemSet):
     explained = hand_in(course, week, ADA, X12_5_b="Because <script>alert(1)</script> of $F$.")
     late = hand_in(course, week, BOB, "2026-12-05 00:59:00 UTC")

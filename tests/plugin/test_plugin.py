@@ -99,6 +99,7 @@ def test_its_answers_are_judged(run, tmp_path: Path):
     assert {each["parts"]["a"]["verdict"] for each in amplitudes} == {"right"}
 
 
+@pytest.mark.whole
 def test_it_is_dealt_answered_marked_and_exported(run, python: Path, tmp_path: Path):
     course, roster = tmp_path / "course", tmp_path / "roster.csv"
     roster.write_text("id\nada\nben\n", encoding="utf-8")

@@ -34,6 +34,7 @@ def test_a_full_disk_is_not_the_notebooks_doing(tmp_path: Path, monkeypatch) -> 
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.whole
 def test_a_disk_that_fills_up_between_two_notebooks_stops_the_run(monkeypatch) -> None:
     with Runner(without=frozenset({"namespaces"})) as running:
         assert running.execute(JOB).values["a"] == Real(2.0)
@@ -45,6 +46,7 @@ def test_a_disk_that_fills_up_between_two_notebooks_stops_the_run(monkeypatch) -
         assert running.execute(JOB).values["a"] == Real(2.0)
 
 
+@pytest.mark.whole
 def test_a_process_that_dies_before_the_first_cell_is_the_machines_failing() -> None:
     with Runner(Limits(memory_bytes=24 << 20)) as running:
         result = running.execute(Job((Cell("c", "a = 1 #" + "x" * (200 << 20)),), ("a",)))

@@ -60,6 +60,7 @@ def test_more_than_half_is_a_note_and_nearly_all_a_complaint(verified, largest, 
         assert any("may not be assigned" in each for each in getattr(checked, name)) == (name == kind), name
 
 
+@pytest.mark.whole
 def test_where_two_givens_decide_together_it_is_a_condition(tmp_path):
     """All draws with more than 1.2 times as much cold water are refused: no range of one mass says that as well."""
     path = tmp_path / "two.md"
@@ -80,6 +81,7 @@ def test_where_two_givens_decide_together_it_is_a_condition(tmp_path):
     assert (int(found[2]) <= 3, int(found[3]) >= 97) == (True, True)
 
 
+@pytest.mark.whole
 def test_what_no_limit_tells_apart_is_said_of_none(tmp_path):
     path = tmp_path / "two.md"
     path.write_text(MIXED, encoding="utf-8")

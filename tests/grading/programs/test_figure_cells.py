@@ -62,6 +62,7 @@ def marked(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., V
         yield verdict
 
 
+@pytest.mark.whole
 def test_a_figure_counts_wherever_it_was_drawn_when_it_is_the_one_asked_for(marked):
     assert isinstance(marked(own="DRAW"), Right)
     assert isinstance(marked(new="DRAW"), Right)
