@@ -85,3 +85,35 @@ def test_what_is_no_tolerance(tmp_path, text):
     path.write_text(LAWS + f"  published: 19.8\n  forgives: '{text}'\n")
     with pytest.raises(Malformed, match=r"r\.yaml:7: .* is no tolerance; write a share of the answer"):
         records_in(path)
+
+
+@pytest.mark.parametrize(
+    ("key", "answer", "found"),
+    [
+        ("19.80", 'NumberWithUnits("KEY m/s")->cmp', "agrees"),  # 0.005 % off; a thousandth is forgiven
+        ("20", 'NumberWithUnits("KEY m/s")->cmp', "wrong"),  # 1 % off
+        ("20", 'NumberWithUnits("KEY m/s")->cmp(tolerance => 0.02)', "agrees"),
+        ("20", 'NumberWithUnits("KEY m/s")->cmp(tolerance => 0.1, tolType => "absolute")', "wrong"),
+        ("20", 'NumberWithUnits("KEY m/s")->with(tolType => "absolute", tolerance => 0.3)->cmp', "agrees"),
+        ("20", 'NumberWithUnits("KEY m/s")->cmp(tolerance => $rough)', "agrees"),  # it is not known
+        ("20", "num_cmp(KEY, relTol => 2)", "agrees"),  # percent
+        ("20", "num_cmp(KEY, tol => 0.1)", "wrong"),
+        ("20", "num_cmp(KEY)", "wrong"),
+    ],
+)
+@pytest.mark.parametrize(
+    "context", ["", "Context()->flags->set(tolerance => 0.05, tolType => 'relative');\n"]
+)
+def test_webworks_tolerances(tmp_path, key, answer, found, context):
+    if context and "num_cmp" not in answer and "(tol" not in answer:
+        found = "agrees"
+    path, laws = tmp_path / "fall.pg", tmp_path / "laws.yaml"
+    path.write_text(
+        f"DOCUMENT();\n{context}BEGIN_TEXT\nHow fast?\nEND_TEXT\nANS({answer});\nENDDOCUMENT();\n".replace(
+            "KEY", key
+        )
+    )
+    laws.write_text(LAWS)
+    (record,) = records_of(path, laws_by_id(laws))
+    (outcome,) = examine(record)
+    assert outcome.finding == found, (outcome.why, record)

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from contextlib import suppress
 
 from corollary.audit.record import ForgivenError
 
-RELATIVE, ABSOLUTE, DIGITS = 1e-2, 1e-8, 2  # where the input does not say
+RELATIVE, ABSOLUTE, DIGITS = 1e-2, 1e-8, 2  # of PrairieLearn, where the input does not say
+WEBWORK = 1e-3  # relative, where neither the context nor the answer says
+WEBWORK_OPTION = re.compile(
+    r"""\b(tolerance|tolType|relTol|reltol|absTol|abstol|tol)["']?\s*=>\s*["']?([^\s,"')}]+)"""
+)
+OLDER = re.compile(r"^(?:std_|strict_)?(?:num|NumberWithUnits)_cmp\s*\(|^num_\w*cmp\s*\(")
 
 
 def forgiven_by(element: Mapping[str, str]) -> ForgivenError | None:
@@ -57,6 +63,31 @@ def forgiven_absolutely(text: str) -> ForgivenError | None:
     except ValueError:
         return None
     return ForgivenError(0.0, size) if _sizes(size) else None
+
+
+def forgiven_in_webwork(contexts: str, answer: str) -> ForgivenError | None:
+    """The tolerance of an answer: its own options, else those of `Context()->flags->set(…)`, else WeBWorK's own.
+
+    `num_cmp` and its relatives state a relative tolerance in percent, MathObjects as a share. None where it is worked out.
+    """
+    percent = 0.01 if OLDER.match(answer) else 1.0
+    flags: dict[str, str] = {} if OLDER.match(answer) else dict(WEBWORK_OPTION.findall(contexts))
+    for option, value in WEBWORK_OPTION.findall(answer):
+        match option.lower():
+            case "reltol":
+                flags |= {"tolerance": value, "tolType": "relative"}
+            case "tol" | "abstol":
+                flags |= {"tolerance": value, "tolType": "absolute"}
+            case _:
+                flags[option] = value
+    try:
+        size = float(flags["tolerance"]) if "tolerance" in flags else WEBWORK / percent
+    except ValueError:
+        return None
+    if not _sizes(size):
+        return None
+    absolute = flags.get("tolType", "relative") == "absolute"
+    return ForgivenError(0.0, size) if absolute else ForgivenError(size * percent, 0.0)
 
 
 def _sizes(*numbers: float) -> bool:

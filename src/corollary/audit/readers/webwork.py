@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
+from corollary.audit.forgiven import forgiven_in_webwork
 from corollary.audit.readers.straight_line import (
     MOST_STATEMENTS,
     NotRead,
@@ -18,7 +19,7 @@ from corollary.audit.readers.straight_line import (
     refuse_long,
 )
 from corollary.audit.readers.webwork_source import WebworkSource, webwork_source
-from corollary.audit.record import ExerciseRecord
+from corollary.audit.record import ExerciseRecord, ForgivenError
 from corollary.audit.text_file import LARGEST_PROGRAM, text_of
 from corollary.formula.abbreviations import function_words
 from corollary.formula.exact import constant
@@ -140,11 +141,12 @@ def webwork_records(path: Path) -> tuple[ExerciseRecord, ...]:
 
 @dataclass(frozen=True, slots=True)
 class WebworkAnswer:
-    """What an answer is where it is worked out: a number as it stands, or a formula; and the unit behind it."""
+    """An answer where it is worked out: a number as it stands, or a formula; the unit behind it; and its tolerance."""
 
     number: str
     key: PublishedFormula | None
     unit: str
+    forgiven: ForgivenError | None
 
 
 def _program(source: WebworkSource) -> tuple[PerlProgram, dict[str, WebworkAnswer | NotRead]]:
@@ -165,20 +167,21 @@ def _program(source: WebworkSource) -> tuple[PerlProgram, dict[str, WebworkAnswe
         while waiting and waiting[-1][1][0] == place:
             name, (_, answer) = waiting.pop()
             try:
-                read[name] = _answered(program, answer)
+                contexts = " ".join(each for each in source.statements[:place] if "flags" in each)
+                read[name] = _answered(program, answer, forgiven_in_webwork(contexts, answer))
             except NotRead as error:
                 read[name] = error
     return program, read
 
 
-def _answered(program: PerlProgram, answer: str) -> WebworkAnswer:
+def _answered(program: PerlProgram, answer: str, forgiven: ForgivenError | None) -> WebworkAnswer:
     """Raises NotRead."""
     expression, unit = program.key(answer)
     if "$" not in expression and re.match(r"[-+\d.]", expression):
-        return WebworkAnswer(expression, None, unit)
+        return WebworkAnswer(expression, None, unit, forgiven)
     key = program.lines.key(_letters(expression))
     number = constant(formula_from(key.text))
-    return WebworkAnswer("" if number is None else in_figures(number), key, unit)
+    return WebworkAnswer("" if number is None else in_figures(number), key, unit, forgiven)
 
 
 def _record(bare: ExerciseRecord, program: PerlProgram, read: WebworkAnswer | NotRead) -> ExerciseRecord:
@@ -186,6 +189,7 @@ def _record(bare: ExerciseRecord, program: PerlProgram, read: WebworkAnswer | No
     if isinstance(read, NotRead):
         return replace(bare, unread=str(read))
     drawn = tuple(program.lines.drawn.values())
+    bare = replace(bare, forgives=(read.forgiven,))
     if read.key is None or read.number:
         given = drawn if read.key is not None else ()
         return replace(bare, given=given, published=(f"{read.number} {read.unit}".strip(),))
