@@ -89,13 +89,13 @@ def _next(text: str, at: int) -> tuple[int, int, str] | None:
     for found in OPEN.finditer(text, at):
         if single is not None and single.start() < found.start():
             break
-        close = _closing(text, found.end())
-        if close is None:
+        closing = _closing(text, found.end())
+        if closing is None:
             continue
-        inside = text[found.end() + 1 : close]
+        inside = text[found.end() + 1 : closing]
         if "/" in found[0]:
-            return found.start(), close + 1, inside
-        if behind := ENDS.match(text, close + 1):
+            return found.start(), closing + 1, inside
+        if behind := ENDS.match(text, closing + 1):
             return _balanced(text, found.start(), behind.end(), inside)
     if single is None:
         return None
@@ -105,8 +105,8 @@ def _next(text: str, at: int) -> tuple[int, int, str] | None:
 
 def _balanced(text: str, start: int, end: int, inside: str) -> tuple[int, int, str]:
     """The place without a bracket that closes what was opened before it, or with the one that it opens."""
-    taken = text[start:end]
-    lacking = taken.count(")") - taken.count("(")
+    subject = text[start:end]
+    lacking = subject.count(")") - subject.count("(")
     while lacking > 0 and start and text[start - 1] == "(":
         start, lacking = start - 1, lacking - 1
     while lacking < 0 and text[end : end + 1] == ")":
