@@ -1,6 +1,6 @@
 """Composed scenes by the dozen against references found another way: what became of each family, and how far stated errors hold.
 
-    python benchmarks/scenes_composed.py [--each 7] [--seed 1] [--tolerance 1e-10] [--unseen | --exact | --enumerated] [--family thrown_steeply]
+    python benchmarks/scenes_composed.py [--each 7] [--seed 1] [--tolerance 1e-10] [--family thrown_steeply]
 
 right: the truth lies within the stated error, which is below 1e-6 of the value's size; honest: within a larger one; refused: named;
 wrong: outside. A run with any wrong ends with status 1.
@@ -19,33 +19,20 @@ from random import Random
 if __name__ == "__main__":
     sys.path.insert(0, str(Path(__file__).parent.parent))
 
-from benchmarks.composed import (
-    discs_on_plates,
-    exact,
-    exact_planes,
-    extremes,
-    falls,
-    fields,
-    hits,
-    lines,
-    links,
-    planes,
-    rough,
-    tied_discs,
-)
+from benchmarks.composed import exact, exact_planes, extremes, fields, lines, planes
 from benchmarks.composed.case import Case, Verdict, drawn, judged
 
-FIRST = (*lines.FAMILIES, *planes.FAMILIES, *extremes.FAMILIES)
-"""The families the estimate was made with."""
-UNSEEN = (*rough.FAMILIES, *falls.FAMILIES, *links.FAMILIES, *fields.FAMILIES, *hits.FAMILIES)
-"""Families that were chosen afterwards, without regard to how the engine works."""
-EXACT = (*exact.FAMILIES, *exact_planes.FAMILIES)
-"""Chosen after those, with closed forms: long times, masses over many powers of ten, edges; nothing was fitted to them."""
-ENUMERATED = (*tied_discs.FAMILIES, *discs_on_plates.FAMILIES)
-"""Chosen last, discs that stick, slip, bounce and jerk at once; references try every combination of what may hold, and know their own error."""
+FAMILIES = (
+    *lines.FAMILIES,
+    *planes.FAMILIES,
+    *extremes.FAMILIES,
+    *fields.FAMILIES,
+    *exact.FAMILIES,
+    *exact_planes.FAMILIES,
+)
 
 
-def cases(each: int, seed: int, families: Sequence[Callable[[Random], Case]] = FIRST) -> list[Case]:
+def cases(each: int, seed: int, families: Sequence[Callable[[Random], Case]] = FAMILIES) -> list[Case]:
     """So many scenes of every family."""
     return list(drawn(families, each, seed))
 
@@ -75,18 +62,11 @@ def main() -> int:
     parser.add_argument("--each", type=int, default=7)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--tolerance", type=float, default=1e-10)
-    parser.add_argument("--unseen", action="store_true", help="the families that were chosen afterwards")
-    parser.add_argument("--exact", action="store_true", help="those chosen after them, with closed forms")
-    parser.add_argument(
-        "--enumerated", action="store_true", help="discs on plates, bars and strings, by enumerated modes"
-    )
     parser.add_argument("--family", help="this one of them alone")
     asked = parser.parse_args()
-    families = UNSEEN if asked.unseen else EXACT if asked.exact else ENUMERATED if asked.enumerated else FIRST
-    if asked.family:
-        families = [each for each in (*FIRST, *UNSEEN, *EXACT, *ENUMERATED) if each.__name__ == asked.family]
-        if not families:
-            parser.error(f"there is no family {asked.family}.")
+    families = [each for each in FAMILIES if asked.family in (None, each.__name__)]
+    if not families:
+        parser.error(f"there is no family {asked.family}.")
     verdicts: list[tuple[Verdict, float]] = []
     for case in cases(asked.each, asked.seed, families):
         begin = time.process_time()

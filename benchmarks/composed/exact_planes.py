@@ -100,22 +100,6 @@ def court(draw: Random) -> Case:
     )
 
 
-def symmetric_wedge(draw: Random) -> Case:
-    """A ball dropped into the middle of a wedge hits both sides at one moment, time and again, and rises straight."""
-    tilt, h, r = draw.uniform(0.3, 0.7), draw.uniform(0.5, 1.5), draw.uniform(0.02, 0.1)
-    bounces, part = draw.randint(1, 3), draw.uniform(0.2, 0.8)
-    low = mp.mpf(r) / mp.cos(tilt)
-    fall = mp.sqrt(2 * mp.mpf(h) / G)
-    until = float(fall * (2 * bounces - 1) + 2 * fall * part)
-    t = mp.mpf(until) - fall * (2 * bounces - 1)
-    u = G * fall
-    s, c = math.sin(tilt), math.cos(tilt)
-    sides = HardWall((s, c)), HardWall((-s, c))
-    body = Body(1.0, (0.0, float(low) + h), (0.0, 0.0), r)
-    place = 0.0, low + u * t - G * t * t / 2
-    return one("symmetric wedge", body, (*sides, Weight(G)), until, place, (0.0, u - G * t))
-
-
 def windy_landing(draw: Random) -> Case:
     """Thrown with linear drag in a wind onto a slope that gives back a share: two flights of exponentials."""
     m, b, wind = draw.uniform(0.2, 1), draw.uniform(0.05, 0.5), (draw.uniform(-3, 3), draw.uniform(-1, 1))
@@ -231,41 +215,6 @@ def rolled_up_and_back(draw: Random) -> Case:
         S: (-speed / r,),
     }
     return Case("rolled up and back", Scene((body,), (Weight(G), slope), until=until), truth, (until,))
-
-
-def floor_and_wall_with_spin(draw: Random) -> Case:
-    """A spinning ball slips on the floor it bounces off, and on the wall after that: mu times what each gave."""
-    r, e, mu, m = (
-        draw.uniform(0.02, 0.1),
-        draw.uniform(0.5, 0.95),
-        draw.uniform(0.02, 0.1),
-        draw.uniform(0.1, 1),
-    )
-    u, h, w = draw.uniform(2, 4), draw.uniform(0.5, 1), draw.uniform(60, 120) / r
-    spin = w
-    fall = math.sqrt(2 * h / G)
-    x, down = u * fall, G * fall
-    # Counter-clockwise: the lowest point moves right, too, so the floor rubs to the left.
-    rub = mu * (1 + e) * down
-    u1, up, spin = u - rub, e * down, spin - rub * m * r / (0.4 * m * r * r)
-    until = fall + 2 * up / G * 0.7
-    wall = x + u1 * (2 * up / G * 0.4)
-    t = (wall - x) / u1
-    y, v1 = r + up * t - G * t * t / 2, up - G * t
-    # At the wall on the right the ball's surface moves up by r w + v1.
-    rub = mu * (1 + e) * u1
-    v2, u2, spin = v1 - rub, -e * u1, spin - rub * m * r / (0.4 * m * r * r)
-    left = until - fall - t
-    place = wall + u2 * left, y + v2 * left - G * left**2 / 2
-    body = Body(m, (0.0, r + h), (u, 0.0), r, spin=w)
-    planes = (
-        HardWall((0.0, 1.0), restitution=e, mu=mu),
-        HardWall((-1.0, 0.0), -(wall + r), restitution=e, mu=mu),
-    )
-    truth = {V: (u2, v2 - G * left), X: place, S: (spin,)}
-    return Case(
-        "floor and wall with spin", Scene((body,), (Weight(G), *planes), until=until), truth, (until,)
-    )
 
 
 def nearly_upright(draw: Random) -> Case:
@@ -388,13 +337,11 @@ FAMILIES = (
     on_a_carousel,
     two_springs_and_a_wall,
     court,
-    symmetric_wedge,
     windy_landing,
     comet,
     drawn_ball,
     set_down_spinning,
     rolled_up_and_back,
-    floor_and_wall_with_spin,
     nearly_upright,
     unequal_dumbbell,
     flung_on_a_string,

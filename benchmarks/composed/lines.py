@@ -198,22 +198,6 @@ def closing_walls(draw: Random) -> Case:
     return Case("closing walls", scene, {V: (speed,), X: (speed * left,)}, (t + left,))
 
 
-def leaving_a_plate(draw: Random) -> Case:
-    """A block on a plate that swings up and down leaves it where the plate falls faster than it."""
-    a, w = draw.uniform(0.05, 0.2), draw.uniform(12, 20)
-    while a * w * w < 1.2 * G:
-        a *= 1.3
-    t0 = math.asin(G / (a * w * w)) / w
-    z, v = a * math.sin(w * t0), a * w * math.cos(w * t0)
-    t = t0 + draw.uniform(0.02, 0.3) / w
-    moves = lambda t, a=a, w=w: (a * math.sin(w * t), a * w * math.cos(w * t), -a * w * w * math.sin(w * t))  # noqa: E731
-    scene = Scene(
-        (Body(1.3, (0.0,), (a * w,)),), (Weight(G), HardWall((1.0,), 0.0, 0.0, moves=moves)), until=t
-    )
-    left = t - t0
-    return Case("leaving a plate", scene, {V: (v - G * left,), X: (z + v * left - G * left**2 / 2,)}, (t,))
-
-
 def pulled_ever_harder(draw: Random) -> Case:
     """A block on a table under a force that grows: static friction holds it, then kinetic brakes it."""
     m, mu, rate = draw.uniform(0.3, 3), draw.uniform(0.1, 0.6), draw.uniform(1, 20)
@@ -345,6 +329,6 @@ def contacts_by_pair(draw: Random) -> Case:
 
 FAMILIES = (
     rest_and_fall, friction_swing, slide_to_rest, oscillator_at_wall, bounces, zeno_and_slide, incline, rolling,
-    rolling_down, spinning_bounce, closing_walls, leaving_a_plate, pulled_ever_harder, puck, belt, linear_drag,
+    rolling_down, spinning_bounce, closing_walls, pulled_ever_harder, puck, belt, linear_drag,
     quadratic_drag, quartic, driven, contacts_by_pair,
 )  # fmt: skip

@@ -285,77 +285,6 @@ def row_in_a_plane(draw: Random) -> Case:
     return Case("row in a plane", scene, {V: tuple(x for v in found for x in (v * c, v * s))}, ())
 
 
-def discs_that_rub(draw: Random) -> Case:
-    """Two spinning discs meet and slip on each other: distance and angle as coordinates."""
-    ra, rb, ma, mb = (
-        draw.uniform(0.03, 0.1),
-        draw.uniform(0.03, 0.1),
-        draw.uniform(0.1, 1),
-        draw.uniform(0.1, 1),
-    )
-    k, mu, v, wa, wb = (
-        10 ** draw.uniform(4, 6),
-        draw.uniform(0.01, 0.1),
-        draw.uniform(1, 3),
-        draw.uniform(20, 80),
-        draw.uniform(20, 80),
-    )
-    reach, m = ra + rb, ma * mb / (ma + mb)
-    b = draw.uniform(-0.5, 0.5) * reach
-    # B comes in along -x with impact parameter b; seen from A.
-    x0 = math.sqrt(reach**2 - b**2)
-    angle, dr, spin = math.atan2(b, x0), -v * x0 / reach, v * b / reach**2
-    ia, ib = 0.4 * ma * ra**2, 0.4 * mb * rb**2
-
-    def slope(_, y):
-        r, _, dr, dp, sa, sb = y
-        push = k * max(reach - r, 0.0) ** 1.5
-        arm_a, arm_b = ra * r / reach, rb * r / reach
-        # Slip of B's surface on A's, along the direction of growing angle.
-        slip = r * dp - arm_a * sa - arm_b * sb
-        rub = -mu * push * math.copysign(1.0, slip)
-        return [
-            dr,
-            dp,
-            push / m + r * dp * dp,
-            (rub / m - 2 * dr * dp) / r,
-            -arm_a * rub / ia,
-            -arm_b * rub / ib,
-        ]
-
-    def slips(y):
-        return y[0] * y[3] - (ra * y[4] + rb * y[5]) * y[0] / reach
-
-    def parts(_, y):
-        return y[0] - reach
-
-    parts.terminal, parts.direction = True, 1
-    start = [reach * (1 - 1e-15), angle, dr, spin, wa, wb]
-    found = solve_ivp(
-        slope, (0, 10), start, method="DOP853", rtol=1e-13, atol=1e-15, events=parts, max_step=1e-4
-    )
-    if any(slips(y) * slips(start) <= 0.0 for y in found.y.T):
-        return discs_that_rub(draw)
-    r, p, dr, dp, sa, sb = found.y_events[0][0]
-    left = dr * math.cos(p) - r * dp * math.sin(p), dr * math.sin(p) + r * dp * math.cos(p)
-    vb = v * -ma / (ma + mb), 0.0
-    centre = v * -mb / (ma + mb)
-    start_b = (x0 + 0.2, b)
-    del vb
-    bodies = Body(ma, (0.0, 0.0), (0.0, 0.0), ra, spin=wa), Body(mb, start_b, (-v, 0.0), rb, spin=wb)
-    scene = Scene(bodies, (Contact(k, 1.5, mu=mu),))
-    truth = {
-        V: (
-            centre - mb / (ma + mb) * left[0],
-            -mb / (ma + mb) * left[1],
-            centre + ma / (ma + mb) * left[0],
-            ma / (ma + mb) * left[1],
-        ),
-        S: (sa, sb),
-    }
-    return Case("discs that rub", scene, truth, ())
-
-
 def spring_pair_in_a_plane(draw: Random) -> Case:
     """Two balls on a spring, thrown and turning: the relative motion in polar coordinates."""
     m1, m2, k, length = (
@@ -405,5 +334,5 @@ def billiard(draw: Random) -> Case:
 
 FAMILIES = (
     pendulum, double_pendulum, thrown_on_a_string, over_the_top, cradle_with_gravity, dumbbell, kepler, grazing_disc,
-    row_in_a_plane, discs_that_rub, spring_pair_in_a_plane, billiard,
+    row_in_a_plane, spring_pair_in_a_plane, billiard,
 )  # fmt: skip

@@ -10,8 +10,6 @@ from hypothesis import strategies as st
 from corollary.scenes import measure
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.rod import Rod, String
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
@@ -149,25 +147,6 @@ def test_what_no_force_moves_is_known_however_badly_the_others_are():
         truth = 0.0, 0.0, 40.0 + 0.1 * time, 40.0 - 0.2 * time
         assert all(abs(a - b) <= e < 1e-10 for a, b, e in zip(seen, truth, off, strict=False))
         assert off[4] > 1e-9
-
-
-CIRCLING = Scene(
-    (Body(math.inf, (0.0, 0.0), (0.0, 0.0)), Body(1.0, (1.0, 0.0), (0.0, 2.0))),
-    (String((0, 1)), Friction(1, 0.1)),
-    until=5.0,
-)
-DUMBBELL = Scene(
-    (Body(1.0, (0.0, 0.0), (1.0, 0.0)), Body(1.0, (1.0, 0.0), (1.0, 2.0))),
-    (Rod((0, 1)), Friction(0, 0.1), Friction(1, 0.1)),
-    until=3.0,
-)
-
-
-@pytest.mark.parametrize("tolerance", [1e-6, 1e-8, 1e-10])
-@pytest.mark.parametrize("scene", [CIRCLING, DUMBBELL])
-def test_looking_at_the_direction_of_a_slip_again_is_nothing_that_happens(scene, tolerance):
-    """Two runs look at different moments; nothing touches, hits or comes loose there."""
-    assert play(scene, {Observable.VELOCITIES}, tolerance).warnings == ()
 
 
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-5, 1e-9])

@@ -286,23 +286,3 @@ def test_a_bound_of_a_bounce_with_weight_holds_for_an_exponent_that_no_double_is
     with mp.workdps(40):  # two quadratures of 25 digits
         off = abs(mp.mpf(found.observed["duration"]) - mp.mpf("0.08249095354158299388697"))
         assert off <= found.errors["duration"]
-
-
-@pytest.mark.parametrize("eta", [0.0, 2.0])
-def test_surfaces_that_rub_keep_the_angular_momentum(eta):
-    bodies = Body(0.04, (0.0, 0.0), (2.0, 0.0), 0.03), Body(0.02, (0.3, 0.03), (0.0, 0.0), 0.03, spin=5.0)
-    scene = Scene(bodies, (Contact(2e4, 1.5, eta, mu=0.3),), until=0.2)
-    found = play(scene, {O.VELOCITIES, O.TRAJECTORY, O.SPINS}, times=(0.0, 0.2))
-
-    def turning(places, velocities, spins):
-        return sum(
-            body.mass * (places[2 * i] * velocities[2 * i + 1] - places[2 * i + 1] * velocities[2 * i])
-            + 0.4 * body.mass * body.radius**2 * spins[i]
-            for i, body in enumerate(bodies)
-        )
-
-    places = found.observed["trajectory"]
-    before = turning(places[:4], (2.0, 0.0, 0.0, 0.0), (0.0, 5.0))
-    after = turning(places[4:], found.observed["velocities"], found.observed["spins"])
-    assert after == pytest.approx(before, abs=1e-12)
-    assert found.observed["velocities"][3] > 0.1

@@ -1,4 +1,4 @@
-"""What holds bodies or rubs them: gaps that cannot be negative, and slips that dry friction brakes.
+"""Constraints that hold bodies, gaps that cannot be negative, and slips that dry friction brakes.
 
 Rows are over the generalized velocity: all velocities body after body, then all spins where bodies have any.
 """
@@ -10,11 +10,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 State = Sequence[float]
-
-
-def still(time: float) -> float:
-    """The rate of change of a gap that no clock drives."""
-    return 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +25,7 @@ class Constraint:
     gap: Callable[[float, State], float]
     row: Callable[[float, State], list[float]]
     drift: Callable[[float, State], float]
-    driven: Callable[[float], float] = still
+    driven: float = 0.0
     restitution: float = 0.0
     two_sided: bool = False
     less: float = 0.0
@@ -42,20 +37,19 @@ class Constraint:
 
 @dataclass(frozen=True, slots=True)
 class Rub:
-    """Dry friction on a slip, rows . velocity - driven (m/s; one component, or two for a body on a table), by Coulomb's law.
+    """Dry friction of one body on one surface, on a slip row . velocity - driven (m/s), by Coulomb's law.
 
     While it slips the force is `kinetic` times the normal force against it; at rest it is whatever keeps it at rest, up to `static`
-    times that. The normal force is `normal` (N), or that of the constraint it is `pressed` by.
+    times that. The normal force is `normal` (N) at a time, or that of the constraint it is `pressed` by.
     """
 
     name: str
-    bodies: tuple[int, ...]
-    rows: Callable[[float, State], list[list[float]]]
-    drift: Callable[[float, State], list[float]]
+    body: int
+    row: list[float]
     kinetic: float
     static: float
-    driven: tuple[float, ...] = (0.0,)
-    normal: Callable[[float, State], float] | None = None
+    driven: float = 0.0
+    normal: Callable[[float], float] | None = None
     pressed: Constraint | None = None
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from corollary.scenes.forces.rod import Rod
 from corollary.scenes.run import BadSetting
@@ -13,6 +14,7 @@ from corollary.scenes.scene import Body, Force, Scene, place, start_of, velocity
 FRAMES = 60  # of an act, besides the moments at which something happens
 WALL = 1e6  # a body so many times as heavy as the lightest is a wall to the eye, and would drown the others in every total
 TOLERANCE = 1e-8
+AT_ONCE = 1e-13  # of an act
 NAIL = "nail"
 BLOCK = "block"
 
@@ -82,8 +84,10 @@ def film(
         cast = _swinging(cast, forces)
         scene = Scene(cast, tuple(forces), until=lasts, name=name)
         path = follow(scene, TOLERANCE)
-        happened = {each.time for each in path.happenings if 0.0 < each.time < lasts}
-        moments = sorted({lasts * i / FRAMES for i in range(FRAMES + 1)} | happened)
+        happened = sorted(each.time for each in path.happenings if 0.0 < each.time < lasts)
+        # What happens to several bodies at one moment, but for rounding, is one picture.
+        apart = {t for s, t in pairwise((-math.inf, *happened)) if t - s > AT_ONCE * lasts}
+        moments = sorted({lasts * i / FRAMES for i in range(FRAMES + 1)} | apart)
         for moment in moments:
             state = path.at(moment) if moment else start_of(scene)
             times.append(begin + moment)

@@ -15,7 +15,6 @@ from corollary.scenes.motion.follow import follow
 from corollary.scenes.motion.observe import contact_span, look, outcome, unequal
 from corollary.scenes.motion.path import Trajectory
 from corollary.scenes.motion.runs_apart import BY_BODY, apart_by, largest_of_body, shares
-from corollary.scenes.motion.ties import TIED, doubts, ties_pucks
 from corollary.scenes.motion.turns import flat, near
 from corollary.scenes.perturbation import CHANGED, perturbed
 from corollary.scenes.progress import part
@@ -55,7 +54,7 @@ BOUNCED = 0.2
 def _paths(scene: Scene, tolerance: float) -> tuple[float, Trajectory, Trajectory, Trajectory | None]:
     """The tolerance that is fine enough, a coarser run, a finer one, and a coarser one of slightly other data; none if that cannot be followed."""
     steep = any(isinstance(force, Contact) and force.q > GENTLE for force in scene.contacts)
-    finer = min(tolerance, TIED if ties_pucks(scene) else STEEP if steep else COARSEST)
+    finer = min(tolerance, STEEP if steep else COARSEST)
     try:
         if finer == tolerance:
             return tolerance, *_followed(scene, tolerance)
@@ -82,9 +81,9 @@ def _followed(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, T
 
 @lru_cache(maxsize=8)
 def _grazing(scene: Scene, tolerance: float) -> tuple[Trajectory | None, ...]:
-    """Where errors decide: the same with touches a little later and friction a little stronger, and the other way round."""
+    """The same with touches a little later, and a little earlier, where errors decide about one."""
     tolerance, rough, right, _ = _paths(scene, tolerance)
-    if {*rough.doubts, *right.doubts} <= {"order"}:  # a rule decides, and no errors
+    if min(rough.grazes, right.grazes) == math.inf:
         return ()
     found: list[Trajectory | None] = []
     for shift, begin in ((rough.near, 0.95), (-rough.near, 0.975)):
@@ -190,7 +189,10 @@ def measured(
         warnings.append(
             "two runs of different accuracy differ in the order of what happens: contacts all but coincide"
         )
-    warnings += doubts(rough, right)
+    if (grazes := min(rough.grazes, right.grazes)) < math.inf:
+        warnings.append(
+            f"a touch grazes at about {grazes:.6g} s: whether it happens is within the error, and in the errors stated"
+        )
     worst = max((m.condition or 0.0 for m in found.values()), default=0.0)
     if worst > ILL:
         warnings.append(

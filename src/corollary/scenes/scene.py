@@ -15,6 +15,7 @@ from corollary.scenes.body import Body, nothing_moves
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.refused import is_own, refuse_misfits, refuse_parts
 from corollary.scenes.run import BadSetting
+from corollary.scenes.unsupported import refuse_unsupported
 
 
 class Conserves(Flag):
@@ -214,6 +215,7 @@ class Scene:
         turned = any(b.spin or (rubbed and not math.isinf(b.resists_spin)) for b in self.bodies)
         object.__setattr__(self, "spins", self.axes == 2 and turned)
         refuse_misfits(self, start_of(self))
+        refuse_unsupported(self, start_of(self))
 
     @property
     def walls_at_rest(self) -> bool:

@@ -89,7 +89,6 @@ RULES: dict[str, Rule] = {
     "tuple[tuple[int, int], ...]": PAIRS,
     "Field": FUNCTION,
     "Potential": FUNCTION,
-    "Shift": FUNCTION,
 }
 """By the type that a field is said to have."""
 

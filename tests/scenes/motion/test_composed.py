@@ -7,9 +7,7 @@ from scipy.integrate import quad
 
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.rod import Rod, String
 from corollary.scenes.forces.spring import Spring
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
@@ -273,20 +271,6 @@ def test_errors_hold_at_any_tolerance(tolerance):
     assert abs(value - 1.0 - places[-1]) <= error <= max(10.0 * tolerance, 1e-10)
 
 
-@pytest.mark.parametrize("link", [Rod, String])
-def test_a_puck_on_a_string_is_stopped_by_the_table(link):
-    r, v, mu = 0.7, 3.0, 0.3
-    nail, puck = Body(math.inf, (0.0, 0.0), (0.0, 0.0)), Body(0.6, (r, 0.0), (0.0, v))
-    found = play(
-        Scene((nail, puck), (link((0, 1)), Friction(1, mu)), until=2.0),
-        {O.VELOCITIES, O.TRAJECTORY},
-        times=(2.0,),
-    )
-    angle = v * v / (2 * mu * 9.8) / r
-    holds(found, "velocities", 0.0, 0.0, 0.0, 0.0)
-    holds(found, "trajectory", 0.0, 0.0, r * math.cos(angle), r * math.sin(angle))
-
-
 def test_a_slip_that_ends_in_the_very_middle_of_a_step_is_seen():
     """Along a line the speed falls through zero as evenly as it can, and one of the runs lays a step round it."""
     start, v, belt = (
@@ -304,22 +288,6 @@ def test_a_slip_that_ends_in_the_very_middle_of_a_step_is_seen():
     way = math.hypot(*slip) / (2 * mu * 9.8)
     holds(found, "velocities", *belt)
     holds(found, "trajectory", *(x + b * until + way * s for x, b, s in zip(start, belt, slip, strict=True)))
-
-
-def test_a_force_that_grows_moves_a_puck_as_soon_as_friction_lets_it():
-    """Static and kinetic friction are the same: it begins with no acceleration at all, and in a straight line it is known how."""
-    m, mu, c, until, (x, y) = 0.5, 0.3, 2.0, 0.6, (0.6, 0.8)
-    force = ForceFunction(
-        0, lambda t, *_: (x * mu * m * 9.8 * (0.9 + c * t), y * mu * m * 9.8 * (0.9 + c * t))
-    )
-    found = play(
-        Scene((Body(m, (0.0, 0.0), (0.0, 0.0)),), (force, Friction(0, mu)), until=until),
-        {O.VELOCITIES, O.TRAJECTORY},
-        times=(until,),
-    )
-    t, a = until - 0.1 / c, mu * 9.8 * c
-    holds(found, "velocities", x * a * t**2 / 2, y * a * t**2 / 2)
-    holds(found, "trajectory", x * a * t**3 / 6, y * a * t**3 / 6)
 
 
 def test_equal_balls_that_all_but_stand_still_are_not_waited_for():

@@ -11,7 +11,6 @@ from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.spring import Spring
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
-from corollary.scenes.measure import measured
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.run import components
@@ -99,22 +98,3 @@ def on_a_nail(mass, start):
     """A disc that turns, and a ball."""
     disc = Body(mass, (0.0, 0.0), (0.0, 0.0), 0.1, spin=20.0, inertia=0.02)
     return Scene((disc, Body(1.0, start, (-1.0, 0.0), 0.1)), (Contact(1e5, 1.5, mu=0.3),))
-
-
-def test_a_disc_on_a_nail_has_the_energy_of_its_spin():
-    asked = {O.ENERGY, O.ENERGY_RATIO}
-    passes_by = play(on_a_nail(math.inf, (0.3, 1.0)), asked)
-    assert passes_by.outcome == "missed"
-    assert passes_by.observed["energy"] == pytest.approx(0.5 * 0.02 * 20.0**2 + 0.5, rel=1e-14)
-    assert passes_by.observed["energy_ratio"] == 1.0
-    held, heavy = (play(on_a_nail(mass, (0.3, 0.05)), asked) for mass in (math.inf, 1e9))
-    for name, value in held.observed.items():
-        assert value == pytest.approx(heavy.observed[name], abs=1e-8), name
-    assert 0.5 < held.observed["energy_ratio"] < 1.0
-
-
-def test_where_a_disc_on_a_nail_turns_something_moves():
-    still = Body(1.0, (5.0, 0.0), (0.0, 0.0), 0.1)
-    scene = on_a_nail(math.inf, (0.3, 1.0))
-    found = measured(Scene((scene.bodies[0], still), scene.forces, until=1.0), {O.ENERGY_RATIO}, 1e-8, "")
-    assert found.observed["energy_ratio"] == 1.0

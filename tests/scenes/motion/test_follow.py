@@ -7,7 +7,6 @@ import pytest
 from corollary.scenes.catalogue import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
@@ -116,12 +115,3 @@ def test_bounces_gain_no_energy_from_how_touches_are_met():
     found = follow(scene, 1e-11)
     assert len(found.happenings) == bounces == 11
     assert found.state[3] == pytest.approx(weight * (time - scene.until) - speed, abs=1e-12)
-
-
-@pytest.mark.parametrize("tolerance", [1e-11, 5e-13])
-def test_a_slip_in_a_plane_holds_steps_down_only_where_it_begins(tolerance):
-    """While the struck puck is slow, friction turns it fast; soon after it does not, and it is still pushed."""
-    pucks = Body(0.68, (-0.6, 0.156), (2.35, 0.0), 0.125), Body(0.37, (0.0, 0.0), (0.0, 0.0), 0.125)
-    rubbed = Friction(0, 0.112), Friction(1, 0.0927, static=0.124)
-    path = follow(Scene(pucks, (Contact(4.1e4, 2.0), *rubbed), until=1.3), tolerance)
-    assert len(path.stretches) < 120

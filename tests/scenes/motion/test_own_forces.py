@@ -90,21 +90,6 @@ def test_a_kick_lifts_a_ball_off_the_floor():
     assert_true(found, "velocities", pushed - weight * (5.2 - leaves))
 
 
-def test_a_plate_that_jumps_up_once_throws_what_lies_on_it():
-    high, lasts = 0.005, 1e-2
-
-    def moves(t: float) -> tuple[float, float, float]:
-        s = (t - 3.0) / lasts
-        now = high * math.exp(-s * s)
-        return now, -2.0 * s / lasts * now, (4.0 * s * s - 2.0) / lasts**2 * now
-
-    leaves = float(
-        brentq(lambda t: moves(t)[2] + 9.8, 3.0 - 0.99 * lasts, 3.0 - 0.5 * lasts, xtol=1e-16, rtol=1e-15)
-    )
-    found = played(Weight(9.8), HardWall((1.0,), restitution=0.0, moves=moves), until=3.05)
-    assert_true(found, "velocities", moves(leaves)[1] - 9.8 * (3.05 - leaves))
-
-
 def test_what_is_kicked_hits_what_lies_ahead():
     bodies = [Body(1.0, (0.0,), (0.0,), 0.1), Body(1.0, (1.0,), (0.0,), 0.1)]
     assert_true(played(Contact(1e5, 1.5), kicked(), bodies=bodies), "velocities", 0.0, IMPULSE)

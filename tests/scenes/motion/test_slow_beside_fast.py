@@ -34,20 +34,6 @@ def test_a_puck_stops_where_it_does_whatever_flies_by(tolerance, fast, until):
         assert found.errors["trajectory"][0] <= max(1e-9, 1e-11 * fast) * 1e3
 
 
-@pytest.mark.parametrize("angle", [0.0, 0.7])
-@pytest.mark.parametrize("drag", [1.0, 1e4, 1e6])
-def test_a_puck_that_a_fluid_has_all_but_stopped_comes_to_rest_by_friction(angle, drag):
-    """m v' = -c v^2 - mu m g."""
-    puck = Body(1.0, (0.0, 0.0), (math.cos(angle), math.sin(angle)))
-    for force, way in (
-        (Drag(0, quadratic=drag), 0.5 / drag * math.log1p(drag / MU / G)),
-        (Drag(0, linear=drag), 1.0 / drag - MU * G / drag**2 * math.log1p(drag / MU / G)),
-    ):
-        found = play(Scene((puck,), (force, Friction(0, MU)), until=1.0), BOTH, times=(1.0,))
-        assert_within(found, "trajectory", way * math.cos(angle), way * math.sin(angle))
-        assert max(found.errors["trajectory"]) < 1e-9
-
-
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-10, 1e-12])
 @pytest.mark.parametrize(
     ("drag", "thrown", "times", "at"),

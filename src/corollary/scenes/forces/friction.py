@@ -1,4 +1,4 @@
-"""Dry friction on a level table or belt: static until it is overcome, kinetic while the body slips (Coulomb)."""
+"""Static and kinetic friction of one body on a level table or belt (Coulomb)."""
 
 from __future__ import annotations
 
@@ -39,6 +39,12 @@ class Friction(ForceOnOne):
     def fits(self, scene: Scene) -> None:
         if self.belt:
             refuse_components(scene.name, scene.axes, self, "belt")
+        pushes = [f for f in scene.forces if f is not self and (not f.bodies or self.body in f.bodies)]
+        if scene.axes == 2 and pushes:
+            raise BadSetting(
+                f"{scene.name}: Friction on body {self.body} in a plane where {type(pushes[0]).__name__} acts on it, too: a puck whose slip "
+                "turns is not followed. Let it slide along a line (places of one component), or on a rough HardWall."
+            )
 
     @property
     def held_by(self) -> float:
@@ -53,20 +59,22 @@ class Friction(ForceOnOne):
         body = scene.bodies[self.body]
         if math.isinf(body.mass):
             return
-        axes = range(scene.axes)
-        rows = [unit_row(scene, self.body, [float(i == j) for j in axes]) for i in axes]
+        # On a table that is seen from above nothing turns its way: it slips along a line.
         belt = tuple(self.belt) or (0.0,) * scene.axes
+        slip = [v - u for v, u in zip(body.velocity, belt, strict=True)]
+        speed = math.hypot(*slip)
+        way = [v / speed for v in slip] if speed else [1.0, 0.0][: scene.axes]
+        if scene.axes == 1:
+            way = [1.0]
         gained = sum(rate for force in scene.forces for i, rate in force.mass_rates if i == self.body)
-        name = f"{body.name or f'body {self.body}'} on the table"
         yield Rub(
-            name,
-            (self.body,),
-            lambda t, y: rows,
-            lambda t, y: [0.0] * len(rows),
+            f"{body.name or f'body {self.body}'} on the table",
+            self.body,
+            unit_row(scene, self.body, way),
             self.mu,
             self.held_by,
-            belt,
-            lambda t, y: (body.mass + gained * t) * self.g,
+            sum(u * x for u, x in zip(belt, way, strict=True)),
+            lambda t: (body.mass + gained * t) * self.g,
         )
 
     @property

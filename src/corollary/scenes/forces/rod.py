@@ -12,9 +12,6 @@ from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from, unit_row
 from corollary.scenes.sound import refuse_below_zero
 
-# What is off a line by such a part of the length is on it.
-STRAIGHT = 1e-12
-
 
 @dataclass(frozen=True, slots=True)
 class Link(ForceBetween, ABC):
@@ -68,7 +65,6 @@ class Link(ForceBetween, ABC):
 class Rod(Link):
     """A rigid rod without mass between the centres of two bodies (places in the scene); a nail is a body of infinite mass.
 
-    One that goes from end to end along two others makes them a stiff bar.
     `length` (m) is the distance at the start if it is not given.
     """
 
@@ -82,46 +78,8 @@ class Rod(Link):
             )
 
     def constraints(self, scene: Scene) -> Iterator[Constraint]:
-        """The distance beyond the length: zero; along two others from end to end, a stiff bar: how far off its line the body between is.
-
-        Raises BadSetting for bodies that start in the same place.
-        """
-        between = self._between(scene)
-        if between is None:
-            yield self.held(scene, "rod", 1.0, two_sided=True, restitution=0.0)
-        else:
-            yield self._straight(scene, between)
-
-    def _between(self, scene: Scene) -> int | None:
-        """The body that two other rods tie to the ends in one line with them; then the three distances say nothing of what moves it sideways."""
-        (a, b), length = self.ends, self.span(scene)
-        ties = {frozenset(rod.ends): rod.span(scene) for rod in scene.forces if isinstance(rod, Rod)}
-        for k in range(len(scene.bodies)) if scene.axes == 2 else ():
-            first, second = ties.get(frozenset((a, k))), ties.get(frozenset((k, b)))
-            if first and second and abs(first + second - length) <= STRAIGHT * length:
-                return k
-        return None
-
-    def _straight(self, scene: Scene, k: int) -> Constraint:
-        (a, b), length = self.ends, self.span(scene)
-
-        def across(along: Sequence[float], aside: Sequence[float]) -> float:
-            return (along[0] * aside[1] - along[1] * aside[0]) / length
-
-        def gap(t: float, y: State) -> float:
-            return across(seen_from(scene, y, a, b)[0], seen_from(scene, y, a, k)[0])
-
-        def row(t: float, y: State) -> list[float]:
-            (x, z), (u, w) = seen_from(scene, y, a, b)[0], seen_from(scene, y, a, k)[0]
-            on_b, on_k = [w / length, -u / length], [-z / length, x / length]
-            on_a = [-p - q for p, q in zip(on_b, on_k, strict=True)]
-            rows = [unit_row(scene, i, on) for i, on in ((a, on_a), (b, on_b), (k, on_k))]
-            return [sum(each) for each in zip(*rows, strict=True)]
-
-        def drift(t: float, y: State) -> float:
-            return 2.0 * across(seen_from(scene, y, a, b)[1], seen_from(scene, y, a, k)[1])
-
-        return Constraint(f"the rod between {a} and {b}", (a, k, b), gap, row, drift, two_sided=True)
+        """The distance beyond the length: zero. Raises BadSetting for bodies that start in the same place."""
+        yield self.held(scene, "rod", 1.0, two_sided=True, restitution=0.0)
 
     @property
     def conserves(self) -> Conserves:

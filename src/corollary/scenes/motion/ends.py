@@ -1,4 +1,4 @@
-"""What a start may not be, what an end leaves open, and when it is out of reach: told from bounces that die away while it can be seen."""
+"""Refusals of a start that cannot be and of an end out of reach, and hits that an end leaves in doubt."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ import numpy as np
 from corollary.scenes.constraint import Constraint, State
 from corollary.scenes.motion.path import Trajectory
 from corollary.scenes.motion.sizes import FINEST_OVERLAP, Sizes
-from corollary.scenes.motion.system import Array, Mode, System
+from corollary.scenes.motion.system import Mode, System
 from corollary.scenes.run import BadSetting
 
 # Forces on what is lighter (kg) are below the numbers that have all their digits.
 LIGHTEST = 1e-305
 # A speed along a rod that is such a part of those of its ends is what rounding leaves: it is taken out.
 PARTING = 1e-6
-# Rods that hold the same motion are told by singular values, and what bends by such a part of what it could.
-DEPENDENT, LOCKED = 1e-9, 1e-6
+# Rods that hold the same motion are told by singular values.
+DEPENDENT = 1e-9
 MANY = 100
 """So many happenings are held against as many before them."""
 SLOWER = 0.9
@@ -47,7 +47,7 @@ def refuse_bad_start(system: System, start: State, sizes: Sizes) -> None:
             )
         if constraint.two_sided:
             _refuse_parting(system, start, sizes, constraint)
-    _refuse_locked(system, start, sizes)
+    _refuse_locked(system, start)
 
 
 def _refuse_parting(system: System, start: State, sizes: Sizes, rod: Constraint) -> None:
@@ -67,47 +67,18 @@ def _refuse_parting(system: System, start: State, sizes: Sizes, rod: Constraint)
         )
 
 
-def _refuse_locked(system: System, start: State, sizes: Sizes) -> None:
-    """Raises BadSetting where rods hold together, by how they bend, what none of them holds alone: a body in line between two nails.
-
-    Where J v = 0 leaves bodies motions v, J a + c(v, v) = 0 has an answer only if l c(v, v) = 0 for every l with l J = 0; where l c is
-    never negative there is no way out of it.
-    """
-    rods, count = [c for c in system.constraints if c.two_sided], system.count
-    movable = np.flatnonzero(system.inverse(0.0)[:count] > 0.0)
-    if len(rods) < 2 or not len(movable):
+def _refuse_locked(system: System, start: State) -> None:
+    """Raises BadSetting where rods hold one motion twice: how they share their forces rigid bodies leave open."""
+    rods = [c for c in system.constraints if c.two_sided]
+    movable = system.inverse(0.0) > 0.0
+    if len(rods) < 2 or not movable.any():
         return
     rows = np.array([c.row(0.0, start) for c in rods])[:, movable]
-    left, found, right = np.linalg.svd(rows)
-    rank = int((found > DEPENDENT * found.max()).sum())
-    ways = right[rank:]
-    if rank == len(rods) or not len(ways):
-        return
-
-    def bent(way: Array) -> Array:
-        velocities = np.zeros(len(start) - count)
-        velocities[movable] = way
-        state = [*start[:count], *velocities.tolist()]
-        return np.array([c.drift(0.0, state) for c in rods])
-
-    alone = [bent(way) for way in ways]
-    size = max([1.0 / sizes.long, *(float(np.abs(each).max()) for each in alone)])
-    for stress in left.T[rank:]:
-        bends = np.array(
-            [
-                [stress @ (bent(one + other) - alone[n] - alone[m]) for m, other in enumerate(ways)]
-                for n, one in enumerate(ways)
-            ]
+    if np.linalg.matrix_rank(rows, DEPENDENT * float(np.abs(rows).max())) < len(rods):
+        names = ", ".join(c.name for c in rods)
+        raise BadSetting(
+            f"{system.scene.name}: {names} hold the same motion more than once, and what each of them takes is open; take one away."
         )
-        values = np.linalg.eigvalsh(bends)
-        if np.abs(values).max() > LOCKED * size and (
-            values.min() > -LOCKED * size or values.max() < LOCKED * size
-        ):
-            names = ", ".join(c.name for c, z in zip(rods, stress, strict=True) if abs(z) > LOCKED)
-            raise BadSetting(
-                f"{system.scene.name}: {names} lie so that they hold each other only by how they would bend, and with no force that is known; "
-                "take one away."
-            )
 
 
 def hit_in_doubt(system: System, path: Trajectory, mode: Mode, slow: float) -> bool:

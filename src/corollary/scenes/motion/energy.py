@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from corollary.scenes.constraint import State
+from corollary.scenes.motion.contact_forces import SLIPS
 from corollary.scenes.refused import OWN_FAILS
 from corollary.scenes.run import ROUNDING, BadSetting
 from corollary.scenes.scene import Conserves, Force, Scene, overlap, seen_from, spin, start_of, velocity
@@ -152,7 +153,7 @@ def keeps_energy(scene: Scene, mode: Mode | None = None) -> bool:
         return False
     if mode is None:
         return Conserves.ENERGY in scene.conserves and not any(f.rubs_surfaces for f in scene.forces)
-    steady = all(isinstance(s, str) for s in mode.rubbed)
+    steady = SLIPS.keys().isdisjoint(mode.rubbed)
     return steady and all(Conserves.ENERGY in f.conserves or f.does_no_work_at_rest for f in scene.forces)
 
 

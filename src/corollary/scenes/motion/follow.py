@@ -5,9 +5,11 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
+from corollary.scenes.constraint import farther_off
 from corollary.scenes.motion.ends import MANY, Pace, hit_in_doubt, refuse_bad_start
 from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, never_meets, used_up
 from corollary.scenes.motion.guards import Guard, Guards
@@ -15,14 +17,12 @@ from corollary.scenes.motion.modes import Moment
 from corollary.scenes.motion.own_forces import overlooked
 from corollary.scenes.motion.path import Happening, Stretch, Trajectory
 from corollary.scenes.motion.projection import drifted
-from corollary.scenes.motion.reversal import swayed, turned
 from corollary.scenes.motion.sizes import least_squeeze, sizes_of
 from corollary.scenes.motion.steps import Stepper
 from corollary.scenes.motion.system import Mode, Slope, System
-from corollary.scenes.motion.ties import damp_all, shift_all
 from corollary.scenes.progress import tell
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
-from corollary.scenes.scene import Scene, overlap, start_of
+from corollary.scenes.scene import Conserves, Scene, overlap, start_of
 
 # What moves by errors of so many steps is at rest.
 NO_SPEED = 30.0
@@ -47,8 +47,7 @@ class Follower:
         self.path = Trajectory(self.system.count, state=start_of(scene))
         self.at_once, self.again = 0, 0
         self.sizes = sizes_of(self.system, tolerance, shift)
-        shift_all(self.system, shift, self.sizes.tie)
-        damp_all(self.system, less)
+        self._perturb(shift, less)
         self.path.allowed, self.path.near = tolerance * self.sizes.place, self.sizes.doubt
         self.path.fast, self.path.long = self.sizes.fast, self.sizes.long
         self.path.deep = self.sizes.deep if self.system.contacts else math.inf
@@ -56,6 +55,17 @@ class Follower:
         self.steps, self.pace = Stepper(self.system, self.sizes, tolerance, share), Pace()
         refuse_bad_start(self.system, self.path.state, self.sizes)
         self.energy: float | None = None
+
+    def _perturb(self, shift: float, less: float) -> None:
+        """Let every touch happen so much (m) later, or earlier, and hits give back up to a part `less` less.
+
+        Where energy is conserved nothing forgets how it began, and hits stay as they are.
+        """
+        if shift:
+            start = start_of(self.scene)
+            self.system.constraints = [farther_off(c, start, shift) for c in self.system.constraints]
+        if less and Conserves.ENERGY not in self.scene.conserves:
+            self.system.constraints = [replace(c, less=less) for c in self.system.constraints]
 
     def run(self) -> Trajectory:
         """The whole path. Raises GuardFailed when it cannot be followed, or something impossible happens on the way."""
@@ -71,7 +81,7 @@ class Follower:
                 )
         path.mode, path.evaluations, path.fades = mode, self.system.evaluations, self.steps.fades
         if hit_in_doubt(self.system, path, mode, self.sizes.speed):
-            path.doubt("graze", path.time)
+            path.graze(path.time)
         return path
 
     def _begin(self) -> Mode:
@@ -99,14 +109,6 @@ class Follower:
         except GuardFailed as error:
             raise GuardFailed(f"{self.scene.name}: {error}") from None
         path.state = moment.y
-        path.calmed = (path.time, moment.calmed) if moment.calmed else path.calmed
-        path.astray = max(path.astray, turned(moment.before, mode))
-        if moment.before is not None and moment.before.creeps:
-            path.astray += swayed(
-                self.system, path.time, path.state, moment.before, path.lasted(moment.before)
-            )
-        for what in moment.doubts:
-            path.doubt(what, path.time)
         if moment.dropped:
             path.rests.append(ends := path.time + moment.lasts)
             path.dropped = max(path.dropped, moment.dropped * (ends > (self.scene.until or math.inf)))
@@ -154,9 +156,7 @@ class Follower:
                 return mode
             met = self.steps.first_event(guards, stretch)
             if self.steps.nearest[0] < path.near:
-                path.doubt("graze", stretch.begin + self.steps.nearest[1] * stretch.lasts)
-            if self.steps.tied:
-                path.doubt("tie", stretch.begin)
+                path.graze(stretch.begin + self.steps.nearest[1] * stretch.lasts)
             if met is not None:
                 return self._met(guards, stretch, slope, *met)
             self._add(stretch)
@@ -197,11 +197,6 @@ class Follower:
         speed, near = self.steps.falling(one, stretch, part), self.tolerance * self.sizes.place
         slack = (near + 16.0 * math.ulp(self.sizes.long)) / speed if speed else 0.0
         self.steps.begin_anew()
-        if guard.kind == "hit":  # a wall's speed is known as well as the time is
-            driven, now = self.system.constraints[guard.number].driven, self.path.time
-            self.path.dropped = max(
-                self.path.dropped, 2.0 * abs(driven(now + 4.0 * math.ulp(now)) - driven(now))
-            )
         what, glued = f"{guard.kind} {guard.number}", guards.together(guard, [self.path.state])
         self.path.happenings.append(Happening(what, self.path.time, len(self.path.stretches), slack, glued))
         self._refuse_hopeless(guard, speed)
@@ -243,10 +238,9 @@ class Follower:
                     start = self.system.count + axes * event.body
                     moment.y[start : start + axes] = event.turn(moment.y)
             case "release":
-                moment.barred_constraints = frozenset({guard.number})
+                moment.barred = frozenset({guard.number})
             case "break":
-                path.waken()
-                moment.barred_rubs = guards.broken(guard.number, path.time, path.state)
+                moment.broken = guards.broken(guard.number, path.time, path.state)
             case "stop":
                 moment.stopped = frozenset({guard.number})
             case "hit":

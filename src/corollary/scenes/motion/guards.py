@@ -1,4 +1,4 @@
-"""What ends a mode: functions of the state that are positive while it lasts, and fall through zero when something happens."""
+"""Guards of a mode: functions of the state that are positive while it lasts, and fall through zero when something happens."""
 
 from __future__ import annotations
 
@@ -12,19 +12,15 @@ import numpy as np
 from corollary.scenes.body import inside
 from corollary.scenes.constraint import State
 from corollary.scenes.integrate.contact_motion import NEAREST
+from corollary.scenes.motion.contact_forces import SLIPS, Array, Item, Status, most_held
 from corollary.scenes.motion.isolation import minima
-from corollary.scenes.motion.multipliers import Item, most_held
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
-from corollary.scenes.motion.system import Array, Mode, System
+from corollary.scenes.motion.system import Mode, System
 from corollary.scenes.scene import pairs, seen_from
 
 Value = Callable[[float, State], float]
 Kind = Literal["touch", "overlap", "soft", "hit", "event", "release", "break", "stop"]
-# What friction holds to within this share of all it can is at its limit.
-EXHAUSTED = 1e-6
-# And what has nothing to do with it, if it was far from that as the mode began, but for a rounding: they let go at one moment.
-AT_ONCE = 1e-11
 # By such a part of what errors decide a parting is seen late: an overlap that fades away ends by errors alone.
 SEEN_LATE = 0.1
 # Such a part of a force decides nothing; and such a part of others that are found together with it.
@@ -82,8 +78,12 @@ class Guards:
                 lambda t, y, side=side, event=event, slow=slow: side * event.value(y) + slow,
             )
         for k, status in enumerate(mode.rubbed):
-            if isinstance(status, tuple):
-                self._slip(k, status)
+            if status in SLIPS:
+                late, way = 0.1 * sizes.speed, SLIPS[status]
+                self._add(
+                    Guard("stop", k, system.rubs[k].name, late),
+                    lambda t, y, k=k, way=way, late=late: way * system.slip(y, k) + late,
+                )
         held = [i for i, s in enumerate(mode.held) if s == "on"]
         self.presses = [(i, at) for at, i in enumerate(held) if not system.constraints[i].two_sided]
         active = [k for k, s in enumerate(mode.rubbed) if s != "off"]
@@ -91,7 +91,6 @@ class Guards:
         self.names += [Guard("release", i, system.constraints[i].name) for i, _ in self.presses]
         self.names += [Guard("break", k, system.rubs[k].name) for k, _ in self.sticks]
         self.trifles: list[float] = []
-        self.most: list[float] = []
         if self.presses or self.sticks:
             self._measure(begun, held, active)
 
@@ -128,17 +127,6 @@ class Guards:
         near = self.mode.touching[guard.number] or all(abs(inside(x, reach)) < sizes.doubt for x, _ in seen)
         return near and all(math.hypot(*v) < slow for _, v in seen)
 
-    def tied(self, values: Array) -> bool:
-        """Whether what sticks is pulled at by all but what it can hold within a sampled step, and then by less; or by hardly more."""
-        first = len(self.names) - len(self.sticks)
-        for margins, most in zip(values[first:], self.most, strict=True):
-            near, least = 2.0 * self.sizes.tie * most, margins.min()
-            if least > max(near, 0.1 * np.ptp(margins)):
-                continue
-            if -near < least < 0.0 or any(abs(value) < near for _, value in minima(margins)):
-                return True
-        return False
-
     def one(self, index: int) -> Value:
         """A single guard as a function of time and state."""
         if index < len(self.places):
@@ -163,21 +151,11 @@ class Guards:
         stays = all(abs(event.value(y)) <= least for y in (stretch.before, stretch.after))
         return stays and long_enough and event.turn is None and not event.of_speed
 
-    def broken(self, number: int, time: float, y: State) -> dict[int, tuple[float, ...]]:
-        """What slips from now on when a rub breaks loose, and which way: it, what is at its limit at that moment, and what slips with it already."""
-        items, forces, _ = self.system.held(time, y, self.since, self.mode)
-        held, rubbed = [i for i, s in enumerate(self.mode.held) if s == "on"], self.mode.rubbed
-        active = [k for k, s in enumerate(rubbed) if s != "off"]
-        together = next(own for _, own in self.system.clusters(time, y, held, active) if number in own)
-        found = {k: way for k in together if isinstance(way := rubbed[k], tuple)}
-        for (k, at), begun in zip(self.sticks, self.shares, strict=True):
-            z, most = forces.multipliers[at], most_held(items, forces, at)
-            size = float(np.linalg.norm(z))
-            may = k in together or begun < 1.0 - EXHAUSTED
-            least = (1.0 - (EXHAUSTED if k in together else AT_ONCE)) * most
-            if k == number or (may and size >= least and size > self.trifles[at]):
-                found[k] = tuple((-z / (size or 1.0)).tolist())
-        return found
+    def broken(self, number: int, time: float, y: State) -> dict[int, Status]:
+        """Which way a rub slips from now on that breaks loose: against the force that held it."""
+        _, forces, _ = self.system.held(time, y, self.since, self.mode)
+        at = next(at for k, at in self.sticks if k == number)
+        return {number: "back" if forces.multipliers[at] > 0.0 else "forward"}
 
     def _pair(self, kind: Kind, number: int, a: int, b: int, sign: float, reach: float) -> None:
         """What touches parts where its overlap is over, and is seen to beyond what some steps may be off; no run lets it part sooner."""
@@ -196,30 +174,6 @@ class Guards:
         apart = math.dist(scene.bodies[a].place, scene.bodies[b].place) if shift else math.inf
         return abs(apart - reach) <= 2.0 * shift
 
-    def _slip(self, k: int, status: tuple[float, ...]) -> None:
-        system, late = self.system, 0.1 * self.sizes.speed if len(status) == 1 else 0.0
-        guard = Guard("stop", k, system.rubs[k].name, late)
-
-        def along(time: float, y: State) -> float:
-            return sum(a * b for a, b in zip(status, system.slip(time, y, k), strict=True))
-
-        if len(status) == 1:
-            self._add(guard, lambda t, y: along(t, y) + late)
-            return
-
-        def square(time: float, y: State) -> float:
-            return sum(v * v for v in system.slip(time, y, k))
-
-        rest = self.sizes.rests[k]
-        # It is slow, or has turned by more than an eighth of a circle: its direction is looked at again.
-        if self.mode.creeps and self.mode.creeps[k]:
-            # It begins from rest: once it is fast enough to have a direction it is looked at again, or when it turns back.
-            self._add(guard, lambda t, y: 4.0 * rest**2 - square(t, y))
-            self._add(guard, lambda t, y: along(t, y) + 0.1 * rest)
-            return
-        self._add(guard, lambda t, y: square(t, y) - rest**2)
-        self._add(guard, lambda t, y: 2.0 * along(t, y) * abs(along(t, y)) - square(t, y))
-
     def _add(self, guard: Guard, value: Value) -> None:
         self.names.append(guard)
         self.places.append(value)
@@ -228,17 +182,16 @@ class Guards:
         if not (self.presses or self.sticks):
             return []
         items, forces, _ = self.system.held(time, y, self.since, self.mode)
-        found = [float(forces.multipliers[at][0]) + self.trifles[at] for _, at in self.presses]
+        found = [forces.multipliers[at] + self.trifles[at] for _, at in self.presses]
         for _, at in self.sticks:
             most = most_held(items, forces, at)
             # Squares are as smooth as the forces; the sign of the normal force is not to be lost in one.
-            margin = math.copysign(most * most, most) - float(forces.multipliers[at] @ forces.multipliers[at])
+            margin = math.copysign(most * most, most) - forces.multipliers[at] ** 2
             found.append(margin + self.trifles[at] ** 2)
         return found
 
     def _measure(self, time: float, held: Sequence[int], active: Sequence[int]) -> None:
-        """As the mode begins: forces (N) too small to decide about what presses and sticks, the squares (N^2) of what each that sticks can hold,
-        and the shares of that which each does.
+        """As the mode begins: forces (N) too small to decide about what presses and sticks.
 
         They are a part of what each holds, can hold, or would have to if it were alone, and of what rounding leaves of all that it holds
         together with.
@@ -247,7 +200,7 @@ class Guards:
         inverse = self.system.inverse(time)
         limits = [most_held(items, found, at) if item.rub else 0.0 for at, item in enumerate(items)]
         own = [
-            max(limit, float(np.abs(z).max()), *_alone(item, inverse))
+            max(limit, abs(z), _alone(item, inverse))
             for item, z, limit in zip(items, found.multipliers, limits, strict=True)
         ]
         together = [0.0] * len(items)
@@ -258,13 +211,9 @@ class Guards:
         self.trifles = [
             max(TRIFLE * each, ROUNDED * others, 1e-300) for each, others in zip(own, together, strict=True)
         ]
-        self.most = [limits[at] ** 2 for _, at in self.sticks]
-        self.shares = [
-            float(np.linalg.norm(found.multipliers[at])) / (limits[at] or 1.0) for _, at in self.sticks
-        ]
 
 
-def _alone(item: Item, inverse: Array) -> list[float]:
-    """The forces (N) with which an item would hold what pulls at it, each row if nothing else held."""
-    resists = np.square(item.rows) @ inverse
-    return [abs(float(b)) / float(r) for b, r in zip(item.bias, resists, strict=True) if r > 0.0]
+def _alone(item: Item, inverse: Array) -> float:
+    """The force (N) with which an item would hold what pulls at it if nothing else held."""
+    resists = item.yields(inverse)
+    return abs(item.bias) / resists if resists > 0.0 else 0.0

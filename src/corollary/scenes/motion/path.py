@@ -1,4 +1,4 @@
-"""The whole motion of a scene, stretch by stretch: any moment can be looked up again."""
+"""Trajectory of a scene, stretch by stretch, in which any moment can be looked up again."""
 
 # pyright: reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 
@@ -8,8 +8,6 @@ import math
 from bisect import bisect_right
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from itertools import takewhile
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -122,19 +120,14 @@ class Turn:
     inward: bool
 
 
-Doubt = Literal["graze", "crowd", "order", "tie", "rival"]
-"""A touch may be missed; of several hits another may be first; or all are at once, and one first would make a difference; friction may
-hold or not; the laws leave several motions open."""
-
-
 @dataclass(slots=True)
 class Trajectory:
     """`happenings` are in order; `rests` the times (s) at which bounces without end were over.
 
-    `doubts` are what errors decide, each with the time (s) at which it is met first (`doubt`); touches are doubted that are missed, or met,
-    by less than `near` (m). `dropped` is a speed (m/s) that was taken for rest; `astray` one of what went on at once, `calmed` when (s) and
-    how fast (m/s) a slip was taken for none last; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene, `allowed` (m)
-    is what a step may be off. `fades`: what faded held steps down, and errors with it. `turned` are the turns of the first body's distance, once they have been looked for.
+    `grazes` is when (s) errors decide about a touch first: it is missed, or met, by less than `near` (m). `dropped` is a speed (m/s) that
+    was taken for rest; `astray` one of what went on at once; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene,
+    `allowed` (m) is what a step may be off. `fades`: what faded held steps down, and errors with it.
+    `turned` are the turns of the first body's distance, once they have been looked for.
     """
 
     count: int
@@ -148,8 +141,7 @@ class Trajectory:
     evaluations: int = 0
     dropped: float = 0.0
     astray: float = 0.0
-    calmed: tuple[float, float] = (-math.inf, 0.0)
-    doubts: dict[Doubt, float] = field(default_factory=dict[Doubt, float])
+    grazes: float = math.inf
     near: float = 0.0
     allowed: float = 0.0
     fast: float = 0.0
@@ -163,20 +155,9 @@ class Trajectory:
     bends: dict[int, bool] = field(default_factory=dict[int, bool])
     """Of the stretches in which a moment was looked up: whether the polynomial is too far off for it."""
 
-    def doubt(self, what: Doubt, time: float) -> None:
-        """Errors decide about something from a time (s) on."""
-        self.doubts.setdefault(what, time)
-
-    def waken(self) -> None:
-        """Something begins to slip: if it was taken for at rest at this very moment, its speed is lost."""
-        if self.time - self.calmed[0] <= BRIEF * self.time:
-            self.astray = max(self.astray, self.calmed[1])
-
-    def lasted(self, mode: Mode) -> float:
-        """For how long (s) it has been going on in a mode."""
-        return sum(
-            each.lasts for each in takewhile(lambda stretch: stretch.mode is mode, reversed(self.stretches))
-        )
+    def graze(self, time: float) -> None:
+        """Errors decide about a touch at a time (s)."""
+        self.grazes = min(self.grazes, time)
 
     @property
     def unsure(self) -> float:
@@ -194,9 +175,8 @@ class Trajectory:
     def order(self) -> list[object]:
         """What happens, in turn: hits, and what touches, holds or sticks as soon as that is another.
 
-        The direction of a slip in a plane is looked at now and again, and a force may go by the side of a place or the sign of a speed:
-        nothing happens there. Nor does anything come of what holds for no time, while bodies that are tied stop one after the other, or of a
-        second hit at once, of a body that is put back on what it is tied to.
+        A force may go by the side of a place or the sign of a speed: nothing happens there. Nor does anything come of what holds for no
+        time, or of a second hit at once, of a body that is put back on what it is tied to.
         Bodies that part together still count as touching: errors decide when their overlap is used up.
         """
         modes = [*(stretch.mode for stretch in self.stretches), self.mode]
@@ -242,6 +222,5 @@ def _touching(mode: Mode, parted: Mapping[str, bool]) -> tuple[bool, ...]:
 
 
 def _holding(mode: Mode, parted: Mapping[str, bool]) -> object:
-    """What holds, sticks, slips or touches; of a slip in a plane not which way."""
-    slips = tuple(s if isinstance(s, str) or len(s) == 1 else "slips" for s in mode.rubbed)
-    return mode.held, slips, _touching(mode, parted)
+    """What holds, sticks, slips or touches."""
+    return mode.held, mode.rubbed, _touching(mode, parted)

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from corollary.scenes.constraint import State
+from corollary.scenes.motion.contact_forces import Array
 from corollary.scenes.motion.sizes import Sizes, last_digit
-from corollary.scenes.motion.system import Array, Mode, System
+from corollary.scenes.motion.system import Mode, System
 
 # So many last digits of places and velocities are what rounding leaves of none.
 ROUNDED = 16.0
@@ -28,15 +28,13 @@ def project(
     y: list[float],
     constraints: Sequence[int],
     rubs: Sequence[int],
-    slips: Sequence[float] | None = None,
 ) -> None:
-    """Take out of the places and velocities what rounding and steps left against what holds: of rubs all slip, or these (m/s)."""
+    """Take out of the places and velocities what rounding and steps left against what holds."""
     _put_on(system, time, y, constraints)
     inverse, rows = system.inverse(time), [system.constraints[i].row(time, y) for i in constraints]
     speeds = [system.rate(time, y, system.constraints[i]) for i in constraints]
-    for k in rubs:
-        rows += system.rubs[k].rows(time, y)
-        speeds += slips or system.slip(time, y, k)
+    rows += [system.rubs[k].row for k in rubs]
+    speeds += [system.slip(y, k) for k in rubs]
     if rows:
         matrix = np.array(rows)
         change = inverse * (matrix.T @ _solved(matrix, inverse, speeds))
@@ -78,13 +76,6 @@ def _put_on(system: System, time: float, y: list[float], constraints: Sequence[i
         moved = weights * (matrix.T @ _solved(matrix, weights, gaps))
         for j, x in enumerate(moved.tolist()[: system.count]):
             y[j] -= x
-
-
-def same_twice(system: System, time: float, y: State, pressed: Sequence[int]) -> bool:
-    """Whether constraints hold the same motion: which of them goes on with it is decided by how they bend, once it has begun."""
-    rows = np.array([system.constraints[i].row(time, y) for i in pressed])
-    movable = system.inverse(time) > 0.0
-    return len(rows) > 1 and bool(np.linalg.matrix_rank(rows[:, movable], 1e-9) < len(rows))
 
 
 def _solved(matrix: Array, inverse: Array, right: Sequence[float]) -> Array:

@@ -1,4 +1,4 @@
-"""The sizes of a scene: of its places, velocities and overlaps, which errors are a part of, and what is too small to see in it."""
+"""Natural sizes of a scene's places, velocities and overlaps, and what is too small to be seen in it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.constraint import Rub
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.friction import Friction
@@ -30,9 +29,8 @@ class Sizes:
     """`long`, `deep` and `place` (m) are those of places, of overlaps, and that of which places may be off a part; `fast` is in m/s.
 
     Too small to see: gaps (m) of `gap` and speeds (m/s) of `speed`, bounces lower than `bounce` (m), turns of what is slower than `rest`
-    (m/s), slips in a plane slower than the `rests` (m/s) of their rubs. Within `blur` (m) rounding decides on which side of a touch a
-    place is, within `doubt` (m) errors of some steps do; within the share `tie` of all that friction can hold they decide whether it
-    holds. Touches happen `shift` (m) later.
+    (m/s). Within `blur` (m) rounding decides on which side of a touch a
+    place is, within `doubt` (m) errors of some steps do. Touches happen `shift` (m) later.
     """
 
     long: float
@@ -43,10 +41,8 @@ class Sizes:
     speed: float
     bounce: float
     rest: float
-    rests: tuple[float, ...]
     blur: float
     doubt: float
-    tie: float
     shift: float
 
 
@@ -55,18 +51,15 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
     scene = system.scene
     y, count = start_of(scene), system.count
     fast = max([abs(v) for v in y[count : 2 * count]] + [abs(b.spin) * b.radius for b in scene.bodies])
-    fast = max([fast, *(math.hypot(*rub.driven) for rub in system.rubs)])
+    fast = max([fast, *(abs(rub.driven) for rub in system.rubs)])
     gained = max((abs(a) for a in system.gains(0.0, y, y)[:count]), default=0.0)
-    brief = pushed(scene, y)
-    gained = max(gained, brief)
+    gained = max(gained, pushed(scene, y))
     long = max(max(map(abs, y[:count])), *(body.radius for body in scene.bodies))
     way = (fast + 0.5 * gained * scene.until) * scene.until if scene.until else 0.0
     if long < NOWHERE * way and all(isinstance(force, ANYWHERE) for force in scene.forces):
         long = min(way, 1.0)
     long = long or 1.0
     fast = max(fast, _gets(long, gained, scene.until)) or 1.0
-    still = [*y[:count], *([0.0] * (len(y) - count))]
-    gains = [abs(a) for a in system.gains(0.0, still, still)[:count]] if system.rubs else []
     deep = _deep(system, long, fast)
     if deep < FINEST_OVERLAP * math.ulp(long) and scene.until:
         deep = _deep(system, long, fast, 10.0 * scene.until)
@@ -80,13 +73,8 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
         speed=1e-12 * fast,
         bounce=max(0.1 * tolerance * long, 64.0 * math.ulp(long)),
         rest=max(tolerance, 1e-7) * fast,
-        # What is fast elsewhere does not make a slip slow, but steps know no speed better than they are allowed to.
-        rests=tuple(
-            max(tolerance * fast, 1e-7 * (_own(scene, rub, y, gains, brief) or fast)) for rub in system.rubs
-        ),
         blur=16.0 * math.ulp(long),
         doubt=GRAZING * tolerance * place,
-        tie=max(GRAZING * tolerance, 1e-9),
         shift=shift,
     )
 
@@ -99,20 +87,6 @@ def last_digit(values: Sequence[float]) -> float:
 def _gets(long: float, gained: float, until: float | None) -> float:
     """About how fast (m/s) what is pushed by `gained` (m/s^2) gets on a way of `long` (m), if not before the end."""
     return min(math.sqrt(long * gained), gained * until if until else math.inf)
-
-
-def _own(scene: Scene, rub: Rub, y: list[float], gains: list[float], brief: float) -> float:
-    """About how fast (m/s) the bodies of a rub will be by themselves: as they are, or as what pushes them at rest makes them.
-
-    That are the `gains` of places (m/s^2), and `brief` (m/s^2) at least.
-    """
-    count, axes = len(gains), scene.axes
-    mine = [axes * i + axis for i in rub.bodies for axis in range(axes)]
-    bodies = [scene.bodies[i] for i in rub.bodies]
-    gained = max(brief, *(gains[j] for j in mine))
-    long = max(max(abs(y[j]) for j in mine), *(body.radius for body in bodies))
-    fast = max([abs(y[count + j]) for j in mine] + [abs(b.spin) * b.radius for b in bodies])
-    return max(fast, math.hypot(*rub.driven), _gets(long, gained, scene.until))
 
 
 def _deep(system: System, long: float, fast: float, within: float = math.inf) -> float:

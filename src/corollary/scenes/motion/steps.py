@@ -62,7 +62,7 @@ class Stepper:
         self.steps, self.hurried, self.fades = 0, 0, False
         self.lately: deque[float] = deque(maxlen=STEADY)
         self.begin_anew()
-        self.nearest, self.tied = (math.inf, 0.0), False
+        self.nearest = (math.inf, 0.0)
         self.longest = min(
             100.0 * sizes.long / sizes.fast if system.contacts else math.inf,
             WHOLE * (tolerance / 1e-6) ** 0.125 * (self.scene.until or math.inf),
@@ -222,7 +222,7 @@ class Stepper:
         values = np.array(
             [guards.values(begin + x * lasts, y) for x, y in zip(POINTS.tolist(), states, strict=True)]
         ).T
-        self.nearest, self.tied = guards.nearest(values, states), guards.tied(values)
+        self.nearest = guards.nearest(values, states)
         first: tuple[int, float] | None = None
         for i in np.flatnonzero(~certainly_positive(coefficients(values))).tolist():
             one = guards.one(i)

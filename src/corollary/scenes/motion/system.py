@@ -8,33 +8,25 @@ from dataclasses import dataclass
 from operator import mul
 
 import numpy as np
-from numpy.typing import NDArray
 
 from corollary.scenes.body import nothing_moves
 from corollary.scenes.constraint import Constraint, Rub, State
-from corollary.scenes.motion.multipliers import Answer, Item, Status, answer
+from corollary.scenes.motion.contact_forces import SLIPS, Answer, Array, Item, Status, answer
 from corollary.scenes.refused import is_own
 from corollary.scenes.run import BadSetting, NoForce
 from corollary.scenes.scene import ContactForce, Scene, opposite
 
-Array = NDArray[np.float64]
 Slope = Callable[[float, Array], list[float]]
 
 
 @dataclass(frozen=True, slots=True)
 class Mode:
-    """What holds: the status of each constraint and of each rub; which pairs touch; on which side of its event each force is.
-
-    `creeps` is, for each rub, a speed (m/s) far below all others: a slip of two components that begins from rest has no direction of its
-    own until it is faster than that. From then on friction turns it to where it is pushed, at a rate mu g over its speed: what it was off
-    before is forgotten.
-    """
+    """The status of each constraint and of each rub; which pairs touch; on which side of its event each force is."""
 
     held: tuple[Status, ...]
     rubbed: tuple[Status, ...]
     touching: tuple[bool, ...]
     sides: tuple[float, ...]
-    creeps: tuple[float, ...] = ()
 
 
 def moved_contacts(scene: Scene) -> list[tuple[ContactForce, int, int]]:
@@ -47,16 +39,15 @@ class System:
     """A scene taken apart once: its constraints, rubs, contacts and events in lists, so that a mode can name them by number.
 
     There are `count` places, and as many velocities; `always` are the forces that need no touch, `heavy` the masses (kg) at the start.
-    Two bodies that nothing moves have no contact, though they may rub. `rival`: which of two motions open is taken.
+    Two bodies that nothing moves have no contact.
     """
 
     def __init__(self, scene: Scene) -> None:
         self.scene, self.count = scene, scene.axes * len(scene.bodies)
         self.heavy, self.evaluations = [body.mass for body in scene.bodies], 0
-        self.rival: int | None = None
         self.constraints: list[Constraint] = []
         self.rubs: list[Rub] = []
-        self.pressed, self.rub_contacts = list[int](), list[int]()
+        self.pressed = list[int]()
         self.always = [force for force in scene.forces if not isinstance(force, ContactForce)]
         self.contacts = moved_contacts(scene)
         for force in scene.forces:
@@ -66,8 +57,6 @@ class System:
             for rub in force.rubs(scene, held):
                 self.rubs.append(rub)
                 self.pressed.append(next((first + i for i, c in enumerate(held) if c is rub.pressed), -1))
-                mine = (j for j, (f, a, b) in enumerate(self.contacts) if f is force and (a, b) == rub.bodies)
-                self.rub_contacts.append(next(mine, -1))
         self.events = [event for force in scene.forces for event in force.events(scene)]
         self.changing = [each for force in scene.forces for each in force.mass_rates]
         self.fixed: Array | None = None
@@ -130,89 +119,51 @@ class System:
 
     def items(self, time: float, y: State, gained: Sequence[float], mode: Mode) -> list[Item]:
         """What holds or rubs in a mode, as the rows of its linear equations. Their statuses are those of `statuses`."""
-        gains = np.asarray(gained)
-        found: list[Item] = []
-        place: dict[int, int] = {}
+        gains, found, place = np.asarray(gained), list[Item](), dict[int, int]()
         for i, (constraint, status) in enumerate(zip(self.constraints, mode.held, strict=True)):
             if status == "on":
-                row = np.array([constraint.row(time, y)])
                 place[i] = len(found)
-                bias = row @ gains + constraint.drift(time, y)
-                found.append(Item(constraint.name, row, bias, ("on",), two_sided=constraint.two_sided))
-        for i, status in enumerate(mode.rubbed):
+                found.append(self.held_item(time, y, gains, constraint, ("on",)))
+        for k, status in enumerate(mode.rubbed):
             if status != "off":
-                creep = mode.creeps[i] if mode.creeps else 0.0
-                found.append(
-                    self.rub_item(time, y, gains, i, (status,), place.get(self.pressed[i], -1), creep)
-                )
+                found.append(self.rub_item(time, gains, k, (status,), place.get(self.pressed[k], -1)))
         return found
 
-    def rub_item(
-        self,
-        time: float,
-        y: State,
-        gains: Array,
-        i: int,
-        may: tuple[Status, ...],
-        pressed: int,
-        creep: float = 0.0,
+    def held_item(
+        self, time: float, y: State, gains: Array, constraint: Constraint, may: tuple[Status, ...]
     ) -> Item:
-        """One rub as rows of accelerations; a slip of two components takes the direction it has now."""
-        rub = self.rubs[i]
-        rows = np.array(rub.rows(time, y))
-        given = rub.normal(time, y) if rub.normal else 0.0
-        if len(rows) == 2:
-            may = tuple(self._way(time, y, i, s, creep) if isinstance(s, tuple) else s for s in may)
-        bias = rows @ gains + np.array(rub.drift(time, y))
-        return Item(
-            rub.name,
-            rows,
-            bias,
-            may,
-            rub=True,
-            pressed=pressed,
-            given=given,
-            kinetic=rub.kinetic,
-            static=rub.static,
-        )
+        """A constraint as a row of accelerations."""
+        row = np.array(constraint.row(time, y))
+        bias = float(row @ gains) + constraint.drift(time, y)
+        return Item(constraint.name, row, bias, may, two_sided=constraint.two_sided)
 
-    def _way(
-        self, time: float, y: State, i: int, begun: tuple[float, ...], creep: float
-    ) -> tuple[float, ...]:
-        """The direction of a slip of two components that began in another.
+    def rub_item(self, time: float, gains: Array, k: int, may: tuple[Status, ...], pressed: int) -> Item:
+        """One rub as a row of accelerations."""
+        rub, row = self.rubs[k], np.array(self.rubs[k].row)
+        given = rub.normal(time) if rub.normal else 0.0
+        item = Item(rub.name, row, float(row @ gains), may, rub=True, pressed=pressed, given=given)
+        item.kinetic, item.static = rub.kinetic, rub.static
+        return item
 
-        Past a stop, where a trial step may reach, it goes on as before: the force is then smooth through it, as the step is.
-        """
-        slip = [v + creep * b for v, b in zip(self.slip(time, y, i), begun, strict=True)]
-        along = sum(a * b for a, b in zip(slip, begun, strict=True))
-        speed = math.copysign(math.hypot(*slip), along)
-        return tuple(v / speed for v in slip) if speed else begun
-
-    def slip(self, time: float, y: State, i: int) -> list[float]:
-        """The slip velocity (m/s) of a rub, by components."""
-        rub, u = self.rubs[i], self.velocity(y)
-        return [
-            sum(map(mul, row, u)) - driven for row, driven in zip(rub.rows(time, y), rub.driven, strict=True)
-        ]
+    def slip(self, y: State, k: int) -> float:
+        """The slip velocity (m/s) of a rub."""
+        rub = self.rubs[k]
+        return sum(map(mul, rub.row, self.velocity(y))) - rub.driven
 
     def rate(self, time: float, y: State, constraint: Constraint) -> float:
         """How fast a gap grows (m/s)."""
         row = constraint.row(time, y)
-        return sum(map(mul, row, self.velocity(y))) + constraint.driven(time)
+        return sum(map(mul, row, self.velocity(y))) + constraint.driven
 
-    def _braked(self, time: float, y: State, mode: Mode, gained: list[float]) -> None:
+    def _braked(self, time: float, mode: Mode, gained: list[float]) -> None:
         """Add to the accelerations what the slips of a mode take, all under a known normal force."""
         inverse = self.inverse(time) if self.changing else self.steady
-        for i, status in enumerate(mode.rubbed):
-            rub = self.rubs[i]
-            if isinstance(status, tuple) and rub.normal is not None:
-                creep = mode.creeps[i] if mode.creeps else 0.0
-                way = self._way(time, y, i, status, creep) if len(status) == 2 else status
-                brake = rub.kinetic * rub.normal(time, y)
-                for row, part in zip(rub.rows(time, y), way, strict=True):
-                    for j, x in enumerate(row):
-                        if x:
-                            gained[j] -= brake * part * x * inverse[j]
+        for rub, status in zip(self.rubs, mode.rubbed, strict=True):
+            if status in SLIPS and rub.normal is not None:
+                brake = SLIPS[status] * rub.kinetic * rub.normal(time)
+                for j, x in enumerate(rub.row):
+                    if x:
+                        gained[j] -= brake * x * inverse[j]
 
     def _held_by_one(self, time: float, y: State, constraint: Constraint, gained: list[float]) -> None:
         """Add to the accelerations what a single constraint takes; nothing where it holds nothing that moves."""
@@ -232,12 +183,11 @@ class System:
         """What has to be settled together, constraints and rubs by number: no group has a movable body in common with another."""
         movable = self.inverse(time) > 0.0
         nodes = [(i, -1) for i in constraints] + [(-1, k) for k in rubs]
-        moved: list[Array] = []
-        for i, k in nodes:
-            rows = [self.constraints[i].row(time, y)] if k < 0 else self.rubs[k].rows(time, y)
-            moved.append((np.abs(np.array(rows)).sum(axis=0) > 0.0) & movable)
+        rows = [self.constraints[i].row(time, y) if k < 0 else self.rubs[k].row for i, k in nodes]
         # A velocity row across a wall reaches the body's other components, too: what it shares is the body.
-        bodies = [frozenset(self._body(j) for j in np.flatnonzero(each).tolist()) for each in moved]
+        bodies = [
+            frozenset(self._body(j) for j in np.flatnonzero(np.array(row) * movable).tolist()) for row in rows
+        ]
         left = list(range(len(nodes)))
         while left:
             group = [left.pop(0)]
@@ -260,6 +210,11 @@ class System:
         gained = self.gains(time, y, since, mode.touching)
         items = self.items(time, y, gained, mode)
         return items, answer(items, [item.may[0] for item in items], self.inverse(time)), gained
+
+    def accelerations(self, time: float, y: State, mode: Mode) -> Array:
+        """Of each component of the generalized velocity in a mode (m/s^2)."""
+        _, found, gained = self.held(time, y, y, mode)
+        return np.asarray(gained) + self.inverse(time) * found.total
 
     def slope(self, mode: Mode, since: State, begun: float) -> Slope:
         """The rate of change of the state in a mode, at a time counted from `begun`."""
@@ -289,12 +244,12 @@ class System:
         def accelerations(time: float, y: list[float]) -> list[float]:
             gained = self.gains(time, y, since, mode.touching)
             if brakes and len(on) <= 1:
-                self._braked(time, y, mode, gained)
+                self._braked(time, mode, gained)
                 for constraint in on:
                     self._held_by_one(time, y, constraint, gained)
                 return gained
             items = self.items(time, y, gained, mode)
-            found = answer(items, [item.may[0] for item in items], self.inverse(time), fair=False)
+            found = answer(items, [item.may[0] for item in items], self.inverse(time))
             return (np.asarray(gained) + self.inverse(time) * found.total).tolist()
 
         return rates
