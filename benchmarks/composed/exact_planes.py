@@ -19,10 +19,24 @@ from corollary.scenes.run import Observable
 from corollary.scenes.scene import Body, Force, Scene
 
 from .case import Case
-from .falls import met
 
 V, X, S = Observable.VELOCITIES, Observable.TRAJECTORY, Observable.SPINS
 G = 9.8
+
+
+def met(gap: Any, low: Any, high: Any, steps: int = 400) -> Any:
+    """The first time in an interval at which a gap that is above zero at its start (or just after) is gone, in 30 digits."""
+    with mp.workdps(30):
+        width = (mp.mpf(high) - low) / steps
+        for i in range(1, steps + 1):
+            a, b = low + (i - 1) * width, low + i * width
+            if gap(b) <= 0 and (i > 1 or gap(a + width / 100) > 0):
+                a = a + width / 100 if i == 1 else a
+                for _ in range(100):
+                    c = (a + b) / 2
+                    a, b = (c, b) if gap(c) > 0 else (a, c)
+                return b
+        return None
 
 
 def one(name: str, body: Body, forces: tuple[Force, ...], until: float, place: Any, velocity: Any) -> Case:

@@ -21,10 +21,13 @@ from corollary.scenes.scene import Body, Scene
 
 from .case import Case
 from .reference import follow
-from .rough import floats
 
 V, X = Observable.VELOCITIES, Observable.TRAJECTORY
 G = 9.8
+
+
+def floats(*values: Any) -> tuple[float, ...]:
+    return tuple(float(v) for v in values)
 
 
 def skipping_orbit(draw: Random) -> Case:
