@@ -150,3 +150,54 @@ def test_a_check_without_the_cell_that_defines_it_says_which_to_run(ada: Workshe
         called: list[tuple[str, ...]] = []
         exec(cell.source, {"check": lambda *names, into=called: into.append(names)})
         assert len(called) == 1
+
+
+def run_by_hand(ada: Worksheet, typed: list[tuple[str, str]]) -> list[str]:
+    """What a real kernel prints for cells run one after the other: a cell of the sheet by its id, with the text that it is given."""
+    nb = notebook(ada)
+    client = NotebookClient(nb, timeout=60, kernel_name="python3", allow_errors=True)
+    said: list[str] = []
+    with client.setup_kernel():
+        for name, source in typed:
+            place = next(place for place, each in enumerate(nb.cells) if each.id == name)
+            nb.cells[place].source = source or nb.cells[place].source
+            client.execute_cell(nb.cells[place], place)
+            out = nb.cells[place].outputs
+            said.append("".join(each.get("text", "") or f"{each.get('evalue', '')}" for each in out))
+    return said
+
+
+def test_check_speaks_of_the_cell_as_it_was_run_last(ada: Worksheet):
+    answer, check = "X12_5_a_answer", ("X12_5_a", "")
+    said = run_by_hand(
+        ada,
+        [
+            check,  # as after a restart
+            ("setup", ""),
+            check,
+            (answer, 'X12_5_a = "8.6 N s"'),
+            check,
+            (answer, "X12_5_a = 9.3 kg m/s"),
+            check,
+            (answer, 'X12_5_a = float("9,3")'),
+            check,
+            (answer, 'X12_5_a = "9.3 N s"\nprint(undefined)'),
+            check,
+            (answer, 'X12_5_a = "9,4 N s"'),
+            check,
+        ],
+    )
+    assert "Run the folded cell above first" in said[0]
+    assert "no answer yet: run the cell with your answer first" in said[2]
+    assert "read as 8.6 N s" in said[4]
+    assert 'stands in quotes: X12_5_a = "9.3 kg m/s"' in said[6]
+    assert "no answer yet: its cell stopped with ValueError; mend it and run it again" in said[8]
+    assert "read as 9.3 N s" in said[10]  # bound before the error, as it is when it is marked
+    assert "read as 9.4 N s" in said[12]
+
+
+def test_the_letters_of_a_formula_are_listed_where_a_number_is_asked_for(ada: Worksheet):
+    nb = notebook(ada)
+    assert "*A number may also be given as a formula of `v0`.*" in cell(nb, "E12_3_1s_statement").source
+    assert "A number may also" not in cell(nb, "X12_5_statement").source  # part (c) lists them
+    assert "Letters: `m` (mass of the ball)" in cell(nb, "X12_5_c_text").source

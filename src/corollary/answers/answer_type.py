@@ -20,7 +20,7 @@ class AnswerType(ABC):
     function, the figures that a cell draws, or the text of a cell. `stated_by` is the author's word that answers such a
     part. `accepts` and `needs` are the attributes of a part's heading beside unit and points: `components`, `options`,
     `function`, `rows`. `lists_components`: the components are the members of a list (in a proof they are further symbols).
-    `in_symbols`: the answer must be a formula, numbers will not do.
+    `in_symbols`: the answer must be a formula, numbers will not do; `formulas_too`: numbers are asked for, and a formula will do.
     `in_lines`: it is written in lines, as many as it takes.
     `shows_letters`: options stand below the question with their letters; else its heading names them.
     """
@@ -33,6 +33,7 @@ class AnswerType(ABC):
     needs: ClassVar[frozenset[str]] = frozenset()
     lists_components: ClassVar[bool] = True
     in_symbols: ClassVar[bool] = False
+    formulas_too: ClassVar[bool] = False
     in_lines: ClassVar[bool] = False
     shows_letters: ClassVar[bool] = True
 

@@ -57,7 +57,11 @@ def advice(key: Key, part: Part) -> tuple[str, ...]:
 
 
 def advice_for(key: Key, part: Part, wrong_before: int | None) -> str:
-    """What is said to an answer after so many wrong ones; all of it where nobody counts them."""
+    """What is said to an answer after so many wrong ones: each time one thing more, so that nobody is told more than the next try needs.
+
+    Where nobody counts them, all of it, in the same order. Marked work is read once, with all that one may want to think of: the law,
+    what counts, and what can be typed into `check` before the next hand-in. `check` itself counts nothing: it knows no right from wrong.
+    """
     sentences = advice(key, part)
     if wrong_before is None or not sentences:
         return " ".join(sentences)

@@ -37,6 +37,25 @@ class Check:
         self._space = space
         self._modules = modules
         self._language = code
+        self._before: dict[str, object] = {}
+        self._stopped: dict[str, str] = {}
+        shell = space.get("get_ipython")
+        if callable(shell) and (events := getattr(shell(), "events", None)) is not None:
+            events.register("pre_run_cell", self._note_values)
+            events.register("post_run_cell", self._note_error)
+
+    def _note_values(self, *_info: object) -> None:
+        self._before = {name: self._space.get(name) for name in self._questions}
+
+    def _note_error(self, result: Any) -> None:
+        """Notes of each answer whether the last cell that was to give its value stopped before it did; the value is then an older one."""
+        error = result.error_before_exec or result.error_in_exec
+        for name in self._questions:
+            if not _assigns(name, str(result.info.raw_cell)):
+                continue
+            self._stopped.pop(name, None)
+            if error is not None and self._space.get(name) is self._before.get(name):
+                self._stopped[name] = type(error).__name__
 
     def __call__(self, *names: str) -> None:
         """Says how the answers with these names are read; all answers when no name is given.
@@ -90,19 +109,14 @@ class Check:
             if isinstance(history, list)
             else []
         )
-        last = next(
-            (
-                text
-                for text in reversed(cells)
-                if re.search(rf"^[ \t]*{name}[ \t]*=(?!=)", text, re.MULTILINE)
-            ),
-            "",
-        )
+        last = next((text for text in reversed(cells) if _assigns(name, text)), "")
         if bare := unquoted(name, last, self._space.keys()):
             line = f'{name} = "{bare}"'
             if bare[0] in "+-.,0123456789":
                 return _("no answer yet: a number with its unit stands in quotes: {line}", line=line)
             return _("no answer yet: a formula, a letter or a word stands in quotes: {line}", line=line)
+        if error := self._stopped.get(name):
+            return _("no answer yet: its cell stopped with {error}; mend it and run it again", error=error)
         if self._space.get(name) is not None:
             return ""
         for other in self._space:
@@ -115,9 +129,16 @@ class Check:
         if BARE.fullmatch(before):
             value = before if before[0] in "\"'" else f'"{before}"'
             return _("no answer yet: a value needs its name: {line}", line=f"{name} = {value}")
+        if cells and not last and name not in self._space:
+            return _("no answer yet: run the cell with your answer first")
         return ""
 
     @property
     def source(self) -> str:
         """The text of the modules that read answers, one below the other."""
         return "\n\n".join(f"# {name}\n\n{text}" for name, text in self._modules.items())
+
+
+def _assigns(name: str, cell: str) -> bool:
+    """True if a line of a cell gives the name a value."""
+    return re.search(rf"^[ \t]*{name}[ \t]*=(?!=)", cell, re.MULTILINE) is not None

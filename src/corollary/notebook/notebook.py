@@ -127,11 +127,24 @@ def _cells(sheet: Worksheet) -> Iterator[NotebookNode]:
 
 def _exercise_cells(exercise: Exercise) -> Iterator[NotebookNode]:
     prefix = exercise.problem.prefix
-    yield reading_cell(f"{prefix}_statement", _heading(exercise) + "\n\n" + exercise.statement)
+    yield reading_cell(
+        f"{prefix}_statement", _heading(exercise) + "\n\n" + exercise.statement + _letters(exercise)
+    )
     if exercise.figure:
         yield reading_cell(f"{prefix}_figure", picture(exercise.figure, exercise.figure_alt))
     for prompt in exercise.prompts:
         yield from _part_cells(prompt)
+
+
+def _letters(exercise: Exercise) -> str:
+    """The letters that a formula may use where a number is asked for; "" where a part that is answered in formulas lists them."""
+    types = [prompt.answer_types[0] for prompt in exercise.prompts]
+    symbols = ", ".join(
+        f"`{each.name}`" for prompt in exercise.prompts[:1] for each in prompt.question.symbols
+    )
+    if not symbols or not any(each.formulas_too for each in types) or any(each.in_symbols for each in types):
+        return ""
+    return "\n\n" + _("*A number may also be given as a formula of {symbols}.*", symbols=symbols)
 
 
 def _part_cells(prompt: Prompt) -> Iterator[NotebookNode]:

@@ -19,7 +19,7 @@ _ = catalogue(__name__)
 
 @final
 class ValueType(AnswerType):
-    name, word = "value", "number"
+    name, word, formulas_too = "value", "number", True
 
     def heading(self, question: Question) -> str:
         unit = show(question.unit)

@@ -19,7 +19,7 @@ _ = catalogue(__name__)
 
 @final
 class VectorType(AnswerType):
-    name, word = "vector", "vector"
+    name, word, formulas_too = "vector", "vector", True
     accepts = needs = frozenset({"components"})
 
     def heading(self, question: Question) -> str:
