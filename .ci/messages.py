@@ -1,4 +1,5 @@
-"""Extracts the texts that students read: one template for each room, `src/corollary/ROOM/locale/corollary.ROOM.pot`.
+"""Extracts the texts that students read: one template for each room, `src/corollary/ROOM/locale/corollary.ROOM.pot`, and one for
+the judges of the chapter's bank, `solutions/locale/messages.pot`.
 
 The translations beside it, `LANGUAGE/LC_MESSAGES/corollary.ROOM.po`, are brought up to date with it and compiled.
 """
@@ -16,17 +17,19 @@ from babel.messages.extract import extract_from_file
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
 
-PACKAGE = Path(__file__).parents[1] / "src" / "corollary"
+ROOT = Path(__file__).parents[1]
+PACKAGE = ROOT / "src" / "corollary"
+BANK = ROOT / "solutions"
 KEYWORDS = {"_": None, "N_": None, "plural": (1, 2)}
 LAWS = "laws"
 NEVER = datetime(2000, 1, 1, tzinfo=UTC)  # what is compiled changes only when a text does
 
 
 def templates() -> dict[Path, str]:
-    """The text of each room's template by its place; a room that says nothing to students has none."""
+    """The text of each template by its place; a room that says nothing to students has none."""
     found: dict[Path, str] = {}
-    for room in sorted(path.parent for path in PACKAGE.glob("*/__init__.py")):
-        domain = f"corollary.{room.name}"
+    rooms = [(path.parent, f"corollary.{path.parent.name}") for path in sorted(PACKAGE.glob("*/__init__.py"))]
+    for room, domain in (*rooms, (BANK, "messages")):
         # Neither dates nor line numbers: a template changes only when a text does.
         catalogue = Catalog(project=domain, version="", header_comment="# Texts of PROJECT.", charset="utf-8")
         for place, message, comments, context in _texts(room):
@@ -65,16 +68,17 @@ def catalogues() -> dict[Path, bytes]:
 
 
 def _texts(room: Path) -> Iterator[tuple[str, str | tuple[str, ...], list[str], str | None]]:
+    home = room if room == BANK else PACKAGE
     for path in sorted(room.rglob("*.py")):
         text = path.read_text(encoding="utf-8")
-        place = path.relative_to(PACKAGE).as_posix()
+        place = path.relative_to(home).as_posix()
         if room.name == LAWS:
             yield from ((place, message, [], None) for message in _names_and_conditions(text))
         if "catalogue" in text or "N_" in text:
             for _, message, comments, context in extract_from_file("python", path, keywords=KEYWORDS):
                 yield place, message, comments, context
     for path in sorted(room.rglob("*.html")):
-        place = path.relative_to(PACKAGE).as_posix()
+        place = path.relative_to(home).as_posix()
         options = {"trimmed": "true"}
         for _, message, comments, context in extract_from_file(
             "jinja2.ext:babel_extract", path, keywords=KEYWORDS, options=options
@@ -96,6 +100,6 @@ if __name__ == "__main__":
     for place, text in templates().items():
         place.parent.mkdir(exist_ok=True)
         place.write_text(text, encoding="utf-8")
-        print(f"{place.relative_to(PACKAGE)}: {text.count('msgid ') - 1} texts")
+        print(f"{place.relative_to(ROOT)}: {text.count('msgid ') - 1} texts")
     for place, content in catalogues().items():
         place.write_bytes(content)

@@ -10,17 +10,18 @@ from corollary.author import (
     derivation,
     explain,
     file,
-    judge_spheres,
-    judge_spheres_plot,
     mistake,
+    module,
     plot,
     simulate,
-    sphere_inputs,
     step,
     unknowns,
     vector,
 )
 from corollary.laws import distance, overlap, sphere_contact, within
+
+SPHERES = module("colliding_spheres/judge_spheres.py")
+FIGURE = module("colliding_spheres/judge_spheres_plot.py")
 
 
 def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
@@ -107,14 +108,14 @@ def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
             "c",
             "Newton's second law for each sphere, with the force on B opposite to that on A; velocities "
             "first, then positions with the new velocities.",
-            inputs=sphere_inputs,
-            judge=judge_spheres,
+            inputs=SPHERES.sphere_inputs,
+            judge=SPHERES.judge_spheres,
             example=file("colliding_spheres/spheres.py"),
         ),
         plot(
             "c",
             "Straight lines before and after the touch; each component of the total momentum stays the same.",
-            judge=judge_spheres_plot,
+            judge=FIGURE.judge_spheres_plot,
             example=file("colliding_spheres/motion_plot.py"),
         ),
         explain(

@@ -4,9 +4,8 @@ from corollary.author import (
     code,
     derivation,
     file,
-    ion_inputs,
-    judge_ions,
     mistake,
+    module,
     simulate,
     step,
     unknown,
@@ -14,6 +13,8 @@ from corollary.author import (
     vector,
 )
 from corollary.laws import distance, ionic, law, reduced_mass, wrong
+
+IONS = module("two_ions/judge_ions.py")
 
 
 def derive(C, mA, mB, v, r0, s, dx, dy):
@@ -156,8 +157,8 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
             "Newton's second law for each ion, with the force on B opposite to that on A; velocities first, "
             "then positions with the new velocities. "
             "The total momentum must stay the same, and the energy once the step is small enough.",
-            inputs=ion_inputs,
-            judge=judge_ions,
+            inputs=IONS.ion_inputs,
+            judge=IONS.judge_ions,
             example=file("two_ions/ions.py"),
         ),
     )

@@ -3,13 +3,11 @@
 import sympy
 
 from corollary.author import (
-    bounce_inputs,
     code,
     derivation,
     file,
-    judge_bounce,
-    judge_bounce_plot,
     mistake,
+    module,
     plot,
     reject,
     simulate,
@@ -18,6 +16,9 @@ from corollary.author import (
     unknowns,
 )
 from corollary.laws import change_of_momentum, energy_at_heights, force_on_standing, law, mean_force, wrong
+
+BOUNCE = module("ball_on_the_floor_program/judge_bounce.py")
+FIGURE = module("ball_on_the_floor_program/judge_bounce_plot.py")
 
 
 def derive(g, R, m, y0, v0, k):
@@ -197,15 +198,15 @@ def derive(g, R, m, y0, v0, k):
             "g",
             "Newton's second law, stepped forward: the net force from the position, the new velocity, then "
             "the position with the new velocity.",
-            inputs=bounce_inputs,
-            judge=judge_bounce,
+            inputs=BOUNCE.bounce_inputs,
+            judge=BOUNCE.judge_bounce,
             example=file("ball_on_the_floor_program/bounce.py"),
         ),
         plot(
             "g",
             "The net force is -mg but for the contact, where it rises and falls; the area under it takes "
             "the momentum from negative to positive.",
-            judge=judge_bounce_plot,
+            judge=FIGURE.judge_bounce_plot,
             example=file("ball_on_the_floor_program/force_plot.py"),
         ),
     )

@@ -5,18 +5,13 @@ import math
 import sympy
 
 from corollary.author import (
-    catch_inputs,
     choice,
     code,
     derivation,
     explain,
     file,
-    judge_catch,
-    judge_orbit,
-    judge_orbit_plot,
-    judge_potential_plot,
     mistake,
-    orbit_inputs,
+    module,
     plot,
     simulate,
     simulated,
@@ -40,6 +35,10 @@ from corollary.laws import (
     within,
     wrong,
 )
+
+ORBIT = module("catching_an_atom/judge_orbit.py")
+CAUGHT = module("catching_an_atom/judge_catch.py")
+FIGURE = module("catching_an_atom/judge_orbit_plot.py")
 
 
 def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
@@ -73,7 +72,7 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             "E$. Above $U_0$ it is free: it comes in "
             "from outside at constant speed, is fastest at $b$, is thrown back by the wall at $b - d$, and "
             "leaves with the speed it came with.",
-            judge=judge_potential_plot,
+            judge=FIGURE.judge_potential_plot,
             example=file("catching_an_atom/potential_plot.py"),
         ),
         step(U_0, "The energy at the edge of the well.", depth_of_well(U_0, k=k, d=d)),
@@ -302,15 +301,15 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             "g",
             "Newton's second law with this force inside r < b + d and no force outside; velocity first, "
             "then the place with the new velocity.",
-            inputs=orbit_inputs,
-            judge=judge_orbit,
+            inputs=ORBIT.orbit_inputs,
+            judge=ORBIT.judge_orbit,
             example=file("catching_an_atom/orbit.py"),
         ),
         plot(
             "g",
             "The trajectory is a rosette between the circles r = b and r = r_max: it touches each of them "
             "once in every swing.",
-            judge=judge_orbit_plot,
+            judge=FIGURE.judge_orbit_plot,
             example=file("catching_an_atom/orbit_plot.py"),
         ),
         step(
@@ -512,8 +511,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             "j",
             "At t₁ the velocity is halved (momentum; B was at rest). The pair has twice the mass, and twice "
             "the force, for the molecule pulls on both: the acceleration at a place stays as it was.",
-            inputs=catch_inputs,
-            judge=judge_catch,
+            inputs=CAUGHT.catch_inputs,
+            judge=CAUGHT.judge_catch,
             example=file("catching_an_atom/catch.py"),
         ),
         choice(

@@ -2,15 +2,12 @@
 
 from corollary.author import (
     code,
-    cradle_inputs,
     derivation,
     example,
     explain,
     file,
-    judge_contact,
-    judge_cradle,
-    judge_velocity_plot,
     mistake,
+    module,
     neglected,
     plot,
     simulate,
@@ -33,6 +30,9 @@ from corollary.laws import (
     sticking,
     wrong,
 )
+
+ROW = module("newtons_cradle/judge_cradle.py")
+FIGURE = module("newtons_cradle/judge_velocity_plot.py")
 
 
 def derive(m, h0, r, k, v0, g):
@@ -267,14 +267,14 @@ def derive(m, h0, r, k, v0, g):
             "h",
             "Newton's second law for each ball, stepped forward: velocities first, then positions with the "
             "new velocities.",
-            inputs=cradle_inputs,
-            judge=judge_cradle,
+            inputs=ROW.cradle_inputs,
+            judge=ROW.judge_cradle,
             example=file("newtons_cradle/cradle.py"),
         ),
         plot(
             "h",
             "The velocities cross at half the time of contact and end exchanged.",
-            judge=lambda given, axes: judge_velocity_plot(given, axes, balls=2),
+            judge=lambda given, axes: FIGURE.judge_velocity_plot(given, axes, balls=2),
             example=file("newtons_cradle/two_balls_plot.py"),
         ),
         simulated(
@@ -317,13 +317,13 @@ def derive(m, h0, r, k, v0, g):
             "The steeper the force (the larger q), the more the contacts come one after the other; k only "
             "sets the time.",
             inputs=lambda given, draw: [{}],
-            judge=judge_contact,
+            judge=ROW.judge_contact,
             example=file("newtons_cradle/contact.py"),
         ),
         plot(
             "j",
             "Three curves: A falls to nearly zero, B rises and falls back to nearly zero, C takes it all.",
-            judge=lambda given, axes, called: judge_velocity_plot(given, axes, balls=3, called=called),
+            judge=lambda given, axes, called: FIGURE.judge_velocity_plot(given, axes, balls=3, called=called),
             with_calls=True,
             example=file("newtons_cradle/three_balls_plot.py"),
         ),

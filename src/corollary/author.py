@@ -1,4 +1,4 @@
-"""The words a solution is written in; and inputs and judges of programs and figures, by name (grading/programs)."""
+"""The words a solution is written in."""
 
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 
@@ -12,6 +12,7 @@ from typing import Any
 import sympy
 from sympy.logic.boolalg import Boolean
 
+from corollary.derive.beside import LazyModule
 from corollary.derive.cases import Branch, Case, Cases, branches
 from corollary.derive.derivation import Entry
 from corollary.derive.letters import function as function
@@ -51,7 +52,6 @@ from corollary.derive.statements import (
     Supposed,
 )
 from corollary.formula.authored import as_condition, as_expression
-from corollary.grading.programs import member
 from corollary.laws.law import Law, known_by_name, only_laws
 from corollary.scenes.scene import Scene
 
@@ -214,9 +214,19 @@ def file(name: str) -> str:
     """The text of a program beside the solution, `example=file("newtons_cradle/cradle.py")`, without the imports it opens with:
     every notebook has made them (numpy as np, matplotlib.pyplot as plt).
     """
-    path = Path(frame_of_word().f_code.co_filename).parent / name
-    lines = path.read_text(encoding="utf-8").splitlines(keepends=True)
+    lines = (_folder() / name).read_text(encoding="utf-8").splitlines(keepends=True)
     return "".join(dropwhile(lambda line: not line.strip() or line.startswith("import "), lines))
+
+
+def module(name: str) -> LazyModule:
+    """A Python file beside the solution, `row = module("newtons_cradle/judge_cradle.py")`: `row.judge_cradle` is its function, which
+    loads the file when it is first called, so that what a judge imports takes no time before.
+    """
+    return LazyModule(_folder() / name, _folder())
+
+
+def _folder() -> Path:
+    return Path(frame_of_word().f_code.co_filename).parent
 
 
 def proof(
@@ -293,14 +303,6 @@ def simulate(
     One that is `animated` is the motion of the exercise itself, seen as the exercise sees it: whoever has solved it can play it.
     """
     return Simulation(scene, settings, expect, neglected, line_of_word(), animated)
-
-
-def __getattr__(name: str) -> Any:
-    """Inputs and judges of programs and figures: `from corollary.author import cradle_inputs, judge_cradle`."""
-    found = member(name)
-    if found is None:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return found
 
 
 def _tuple(unknowns: Unknowns) -> tuple[sympy.Symbol, ...]:

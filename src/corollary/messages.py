@@ -1,7 +1,8 @@
 """Message catalogues: what a student reads, in the reader's language; English stands in the code and is the fallback.
 
 Every room, and every package of somebody else's, brings its own catalogue: `_ = catalogue(__name__)` in `corollary.answers.…`
-looks in `corollary/answers/locale/<language>/LC_MESSAGES/corollary.answers.mo`.
+looks in `corollary/answers/locale/<language>/LC_MESSAGES/corollary.answers.mo`. A bank's is named by a file, for its judges are
+no package: `_ = catalogue(__file__)` looks in `solutions/locale/<language>/LC_MESSAGES/messages.mo`.
 """
 
 from __future__ import annotations
@@ -27,9 +28,15 @@ _CARRIED: dict[tuple[str, str], bytes] = {}
 _LANGUAGE: ContextVar[str] = ContextVar("language", default="en")
 
 
+LOCALE, OF_BANK = (
+    "locale",
+    "messages",
+)  # the folder of translations, and the name of a bank's, which gettext gives
+
+
 @dataclass(frozen=True, slots=True)
 class Catalogue:
-    """The texts of one room. `domain` is the dotted name of its package, where `locale/` lies."""
+    """The texts of one room, or of a bank. `domain` is the dotted name of the package, or the folder, in which `locale/` lies."""
 
     domain: str
 
@@ -48,7 +55,13 @@ class Catalogue:
 
 
 def catalogue(module: str) -> Catalogue:
-    """The catalogue of the room that a module (its `__name__`) belongs to; a package of somebody else's has one for all."""
+    """The catalogue of the room that a module (its `__name__`) belongs to; a package of somebody else's has one for all.
+
+    For a file (`__file__`) it is that of the nearest folder above in which `locale/` lies.
+    """
+    if module.endswith(".py"):
+        above = Path(module).resolve().parents
+        return Catalogue(str(next((each for each in above if (each / LOCALE).is_dir()), above[0])))
     return Catalogue(".".join(module.split(".")[: 2 if module.startswith("corollary.") else 1]))
 
 
@@ -74,9 +87,12 @@ def compiled(domain: str, code: str) -> bytes:
         return b""
     if (domain, code) in _CARRIED:
         return _CARRIED[domain, code]
-    spec = find_spec(domain)
-    places = list(spec.submodule_search_locations or ()) if spec is not None else []
-    found = gettext.find(domain, Path(places[0], "locale"), [code]) if places else None
+    if Path(domain).is_absolute():
+        found = gettext.find(OF_BANK, Path(domain, LOCALE), [code])
+    else:
+        spec = find_spec(domain)
+        places = list(spec.submodule_search_locations or ()) if spec is not None else []
+        found = gettext.find(domain, Path(places[0], LOCALE), [code]) if places else None
     return Path(found).read_bytes() if found else b""
 
 

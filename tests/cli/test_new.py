@@ -10,7 +10,11 @@ from click.testing import CliRunner
 from tests.problem.test_pictures import png
 
 from corollary.cli.commands import app
+from corollary.derive.statements import Code
+from corollary.grading.solutions import Solutions
+from corollary.messages import language
 from corollary.problem.bank import Bank, chapter_bank
+from corollary.programs import Called, Fault
 from corollary.verify.verify import verify
 
 
@@ -55,6 +59,23 @@ def test_a_copy_takes_its_programs_along(said, tmp_path):
     assert f'"{model.name}/' not in bank.solution(problem).read_text(encoding="utf-8")
     assert problem.source == "after P12.14"
     assert problem.parts[0].text == model.parts[0].text
+
+
+def test_a_copy_takes_along_what_its_judges_import_and_say(said, tmp_path):
+    """Two ions and two spheres share a file beside their solutions; what judges say is translated in the bank."""
+    assert said("Q2", "collisions/my_ions", "--bank", "mine", "--like", "T12.6")[0] == 0
+    assert said("Q3", "collisions/my_spheres", "--bank", "mine", "--like", "S12.6")[0] == 0
+    bank = Bank(tmp_path / "mine")
+    (program,) = (each for each in Solutions(bank).of(bank["Q2"]).entries if isinstance(each, Code))
+    calls = [Called(each, (1.0,)) for each in program.inputs({}, lambda low, high: (low + high) / 2)]
+    with language("de"):
+        fault = program.judge({}, calls)
+    assert fault == Fault(
+        "Sie gibt eine Zahl zurück; gib die vier Geschwindigkeiten v_Ax, v_Ay, v_Bx, v_By zurück."
+    )
+    plain = said("Q4", "impulse/kick", "--bank", "other", "--like", "X12.5")
+    assert plain[0] == 0
+    assert not (tmp_path / "other" / "solutions" / "locale").exists()
 
 
 def test_a_copy_takes_its_pictures_along(said, tmp_path):

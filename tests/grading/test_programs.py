@@ -6,17 +6,20 @@ from collections.abc import Callable, Sequence
 from itertools import count
 
 import pytest
+from tests.judges import judges
 
 from corollary.answers.verdict import Mistaken, Right, Unread, Wrong
 from corollary.formula.value import Items, Nothing, Real
 from corollary.grading.program_run import ProgramRun
-from corollary.grading.programs.floor import ARGUMENTS, reference
 from corollary.grading.programs.judge import asks, judge_code
 from corollary.grading.solutions import Solutions
 from corollary.grading.verdict_text import sentence
+from corollary.messages import language
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
 from corollary.sandbox.result import CallResult
+
+ARGUMENTS, reference = judges("impulse/ball_on_the_floor_program/judge_bounce.py", "ARGUMENTS reference")
 
 BANK = chapter_bank()
 PROBLEM = find(BANK, "E12.3.1s")
@@ -61,6 +64,28 @@ def test_a_usual_mistake_is_a_mistake_and_another_one_is_wrong():
         Mistaken,
     )
     assert isinstance(verdict(lambda inputs: (1.3 * exact(inputs)[0], *exact(inputs)[1:])), Wrong)
+
+
+@pytest.mark.parametrize(
+    ("code", "said"),
+    [
+        (
+            "de",
+            "Geschwindigkeit und Zeit stimmen, aber die Kraft ist die des Bodens; die resultierende Kraft ist um das Gewicht kleiner.",
+        ),
+        ("nb", "Fart og tid er riktige, men kraften er den fra gulvet; resultantkraften er mindre, med et beløp lik tyngden."),
+    ],
+)  # fmt: skip
+def test_a_judge_of_a_bank_speaks_the_language_of_the_course(code, said):
+    """Its sentences are translated in the bank, the machine's own in the machine."""
+    with language(code):
+        net = verdict(
+            lambda inputs: (exact(inputs)[0], exact(inputs)[1] + inputs["m"] * inputs["g"], exact(inputs)[2])
+        )
+        few = verdict(lambda inputs: (1.0,))
+    assert sentence(net) == said
+    assert "three: the velocity" not in sentence(few)
+    assert "It returns one number" not in sentence(few)
 
 
 def test_one_call_that_fails_decides():

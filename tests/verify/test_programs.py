@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
+from corollary.derive.load import NotDerivable
 from corollary.derive.solve import solve
 from corollary.grading.key import make_key
 from corollary.problem.bank import Bank, find
@@ -45,10 +46,22 @@ def drawn(given, axes):
 
 def derive():
     return derivation(
-        code("a", "Twice the speed.", inputs=lambda given, draw: [{{"v": draw(1, 2)}}, {{"v": 3.0}}], judge={judge}, example="""{program}"""),
+        code("a", "Twice the speed.", **dict(dict(inputs=lambda given, draw: [{{"v": draw(1, 2)}}, {{"v": 3.0}}]), judge={judge}), example="""{program}"""),
         plot("a", "A line.", judge={look}, example="""{figure}"""),
     )
 '''
+JUDGE = """\
+import sys
+
+
+def divides(given, called):
+    print("a judge may print")
+    return 1 / 0
+
+
+def leaves(given, called):
+    sys.exit(3)
+"""
 PROGRAM = "def momentum(v):\n    return 2 * v\n"
 FIGURE = "v = np.linspace(0, 1, 9)\nplt.plot(v, {m} * v)"
 
@@ -67,9 +80,13 @@ def checked(tmp_path, runner) -> Callable[..., Tally]:
         for folder, name, text in (
             ("problems", "cart.md", PROBLEM),
             ("solutions", "cart.py", SOLUTION.format(judge=judge, look=look, program=program, figure=figure)),
+            ("solutions", "cart/judge_cart.py", JUDGE),
+            ("solutions", "cart/judge_late.py", "import nowhere\n\n\ndef judge(given, called): ...\n"),
+            ("solutions", "cart/judge_typo.py", "def judge(given, called):\n    return (\n"),
         ):
-            (tmp_path / folder / "carts").mkdir(parents=True)
-            (tmp_path / folder / "carts" / name).write_text(text, encoding="utf-8")
+            path = tmp_path / folder / "carts" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
         bank, tally = Bank(tmp_path), Tally()
         problem = find(bank, "X1.1")
         check_programs(bank, make_key(solve(bank, problem), chapter(problem)), tally, runner)
@@ -111,6 +128,58 @@ def test_what_is_amiss_is_said_with_file_and_line(checked, change, said):
     first, *_ = checked(**change).complaints
     assert first.startswith("cart.py:18: part a: ")
     assert said in first
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (
+            {"judge": "lambda given, called: 1 / 0"},
+            "cart.py:18: the judge fails: ZeroDivisionError: division by zero (part a)",
+        ),
+        (
+            {"judge": "lambda given, called: True"},
+            "cart.py:18: the judge fails: TypeError: a judge answers None, or a Fault, a Remark or a Doubt, and not True",
+        ),
+        (
+            {"look": "lambda given, axes: given['w']"},
+            "cart.py:21: the judge of figures fails: KeyError: 'w' (part a)",
+        ),
+        (
+            {"judge": 'module("cart/judge_cart.py").divides'},
+            "judge_cart.py:6: the judge fails: ZeroDivisionError: division by zero (part a)",
+        ),
+        (
+            {"judge": 'module("cart/judge_cart.py").leaves'},
+            "judge_cart.py:10: the judge fails: SystemExit: 3 (part a)",
+        ),
+        (
+            {"judge": 'right, inputs=module("cart/judge_cart.py").divides'},
+            "judge_cart.py:6: the inputs fail: ZeroDivisionError: division by zero (part a)",
+        ),
+        (
+            {"judge": 'module("cart/judge_late.py").judge'},
+            "judge_late.py:1: the judge fails: ModuleNotFoundError: No module named 'nowhere'",
+        ),
+    ],
+)
+def test_a_judge_that_fails_is_named_with_file_and_line(checked, change, said):
+    complaints = checked(**change).complaints
+    assert any(each.startswith(said) for each in complaints), complaints
+
+
+@pytest.mark.parametrize(
+    ("judge", "said"),
+    [
+        ('module("cart/judge_tram.py").judge', "cart.py:18: derive fails: FileNotFoundError: there is no file judge_tram.py"),
+        ('module("cart/judge_cart.py").divide', "cart.py:18: derive fails: AttributeError: judge_cart.py has no divide (did you mean divides?)"),
+        ('module("cart/judge_typo.py").judge', "judge_typo.py:2: is not Python: "),
+    ],
+)  # fmt: skip
+def test_a_judge_that_is_not_there_is_said_before_anything_runs(checked, judge, said):
+    with pytest.raises(NotDerivable) as error:
+        checked(judge=judge)
+    assert str(error.value).startswith(said)
 
 
 def test_a_machine_that_runs_nothing_is_a_complaint(checked, runner, monkeypatch):

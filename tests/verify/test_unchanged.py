@@ -68,6 +68,22 @@ def test_a_change_is_seen(bank, times, tmp_path):
     assert len(times) == 4
 
 
+def test_a_change_of_a_file_beside_the_solution_is_seen(bank, times, tmp_path):
+    """A judge that is named, and what it imports in turn, from its own folder and from beside the solution."""
+    write(tmp_path, 'JUDGE = module("cart/judge_cart.py")\n' + GOOD)
+    files = {"cart/judge_cart.py": "import wheels\nimport carts\n", "cart/wheels.py": "", "carts.py": ""}
+    for name, text in files.items():
+        path = tmp_path / "solutions" / "carts" / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    assert found(bank).ok
+    for count, (name, text) in enumerate(files.items(), start=2):
+        assert found(bank).ok
+        (tmp_path / "solutions" / "carts" / name).write_text(text + "# changed\n", encoding="utf-8")
+        assert found(bank).ok
+        assert len(times) == count
+
+
 def test_what_does_not_hold_is_verified_again(bank, times, tmp_path):
     write(tmp_path, GOOD.replace("1.5 kg m/s", "1.6 kg m/s"))
     assert found(bank).complaints == found(bank).complaints

@@ -8,7 +8,8 @@ import shutil
 from pathlib import Path
 
 from corollary.cli.ending import HOLDS, answer, refuse
-from corollary.derive.load import source
+from corollary.derive.load import sources
+from corollary.messages import LOCALE
 from corollary.problem.bank import (
     VARIABLE,
     Bank,
@@ -49,13 +50,13 @@ def run(code: str, name: str, like: str | None, bank: Path | None, as_json: bool
     for path in (*namesakes, solution, *([solution.with_suffix("")] if model else [])):
         if path.exists():
             refuse(f"{path} is there already; choose another name, nothing was written")
-    pictures = _pictures(model[1].path, problem) if model else {}
+    copies = _pictures(model[1].path, problem) | _beside(*model, solution) if model else {}
     asks, derives = _texts(code, stem.replace("_", " ").capitalize(), stem, model)
     for path, text in ((problem, asks), (solution, derives)):
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("x", encoding="utf-8") as file:
             file.write(text)
-    for theirs, ours in pictures.items():
+    for theirs, ours in copies.items():
         ours.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(theirs, ours)
     if model and (beside := model[0].solution(model[1]).with_suffix("")).is_dir():
@@ -97,10 +98,31 @@ def _model(place: Bank, like: str) -> tuple[Bank, Problem]:
 
 def _pictures(model: Path, problem: Path) -> dict[Path, Path]:
     """The pictures that the model shows, and where they are to lie beside the copy; those that lie there already are left out."""
-    wanted = {each: problem.parent / each.relative_to(model.parent) for each in pictures_of(model)}
+    return _missing(
+        {each: problem.parent / each.relative_to(model.parent) for each in pictures_of(model)}, "picture"
+    )
+
+
+def _beside(bank: Bank, model: Problem, solution: Path) -> dict[Path, Path]:
+    """The files beside the model's solution that it imports, and the translations of what its judges say, in the same way; those of
+    its own folder are copied with that."""
+    theirs, texts = bank.solution(model), sources(bank, model)
+    wanted = {
+        each: solution.parent / each.relative_to(theirs.parent)
+        for each in texts
+        if each != theirs and each.parent == theirs.parent
+    }
+    translations, ours = theirs.parents[1] / LOCALE, solution.parents[1] / LOCALE
+    if not ours.exists() and any(b"catalogue(" in text for text in texts.values()):
+        wanted |= {each: ours / each.relative_to(translations) for each in translations.rglob("*.*")}
+    return _missing(wanted, "file")
+
+
+def _missing(wanted: dict[Path, Path], what: str) -> dict[Path, Path]:
+    """Those that are not there yet; refuses where another one is."""
     for theirs, ours in wanted.items():
         if ours.exists() and ours.read_bytes() != theirs.read_bytes():
-            refuse(f"{ours} is there already, and another picture; rename it, nothing was written")
+            refuse(f"{ours} is there already, and another {what}; rename it, nothing was written")
     return {theirs: ours for theirs, ours in wanted.items() if not ours.exists()}
 
 
@@ -122,7 +144,7 @@ def _texts(code: str, title: str, stem: str, model: tuple[Bank, Problem] | None)
     asks = problem.path.read_text(encoding="utf-8")
     for line, text in (("code", code), ("title", title), ("source", f"after {problem.code}")):
         asks = re.sub(rf"^{line}:.*$", f"{line}: {text}", asks, count=1, flags=re.MULTILINE)
-    derives = source(bank, problem).decode()
+    derives = next(iter(sources(bank, problem).values())).decode()  # its own text
     return asks, derives.replace(
         f'"{problem.path.stem}/', f'"{stem}/'
     )  # programs lie in a folder of that name

@@ -1,18 +1,23 @@
-"""Modules of an author's own that lie beside a solution: imported by their names, read anew each time, and part of its state."""
+"""Python files beside a solution: imported by their names, or loaded at the first call of a function; all part of its state."""
 
 from __future__ import annotations
 
 import ast
 import importlib
 import sys
-from collections.abc import Generator, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Generator, Iterator
+from contextlib import ExitStack, contextmanager
 from importlib.machinery import FileFinder, SourceFileLoader
+from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from corollary.derive.comparison import NAMES, compiled
+from corollary.messages import did_you_mean
+
+LOADED = "corollary_beside_"  # begins the name of a module that is loaded late, which no installed one has
+LONGEST = 200  # letters of a file's name
 
 
 class _Loader(SourceFileLoader):
@@ -27,13 +32,20 @@ class _Loader(SourceFileLoader):
 
 
 @contextmanager
-def importable(solution: Path) -> Generator[None]:
-    """While a solution is loaded and derives: what lies in its folder can be imported, before anything else of that name.
+def importable(*folders: Path) -> Generator[None]:
+    """Inside, what lies in these folders can be imported, the first one's before the others' and before anything else of that name.
 
     Afterwards such modules are forgotten: another bank may have one of the same name, and its author may change it.
     """
-    folder, writes = solution.parent, sys.dont_write_bytecode
-    before = _loaded_from(folder)
+    with ExitStack() as stack:
+        for folder in reversed(folders):
+            stack.enter_context(_importable(folder))
+        yield
+
+
+@contextmanager
+def _importable(folder: Path) -> Generator[None]:
+    writes, before = sys.dont_write_bytecode, _loaded_from(folder)
 
     def finder(path: str) -> FileFinder:
         if Path(path) != folder:
@@ -67,20 +79,74 @@ def _loaded_from(folder: Path) -> set[str]:
     }
 
 
-def modules_beside(solution: Path, source: bytes) -> list[Path]:
-    """The modules in its folder that a solution imports, and those that these do, by name; none where it is not Python."""
-    found: dict[str, Path] = {}
-    todo = [source]
+class LazyModule:
+    """A Python file whose functions load it when one of them is first called; anything else in it is loaded when asked for.
+
+    It imports what lies in its own folder, and what lies beside the solution.
+    """
+
+    def __init__(self, path: Path, beside: Path) -> None:
+        """Raises FileNotFoundError, and SyntaxError where it is not Python."""
+        if not path.is_file():
+            raise FileNotFoundError(f"there is no file {path.name} in {path.parent}")
+        self._path, self._folders = path, tuple(dict.fromkeys((path.parent, beside)))
+        self._functions = {
+            node.name
+            for node in ast.parse(path.read_bytes(), str(path)).body
+            if isinstance(node, ast.FunctionDef)
+        }
+        self._module: ModuleType | None = None
+
+    def __getattr__(self, name: str) -> Any:
+        """A function, not loaded yet. Raises AttributeError for a name that is not there."""
+        if name.startswith("__"):
+            raise AttributeError(name)
+        if name in self._functions:
+            return self._called_later(name)
+        with importable(*self._folders):
+            known = vars(self._loaded())
+        if name not in known:
+            raise AttributeError(f"{self._path.name} has no {name}{did_you_mean(name, self._functions)}")
+        return known[name]
+
+    def _called_later(self, name: str) -> Callable[..., Any]:
+        def call(*given: Any, **named: Any) -> Any:
+            with importable(*self._folders):  # a function may import, too
+                return getattr(self._loaded(), name)(*given, **named)
+
+        call.__name__ = call.__qualname__ = name
+        return call
+
+    def _loaded(self) -> ModuleType:
+        if self._module is None:
+            name = f"{LOADED}{self._path.stem}"
+            spec = spec_from_loader(name, _Loader(name, str(self._path)))
+            assert spec is not None
+            assert spec.loader is not None
+            module = sys.modules[name] = module_from_spec(spec)  # forgotten again, as what it imports
+            spec.loader.exec_module(module)
+            self._module = module
+        return self._module
+
+
+def files_beside(solution: Path, source: bytes) -> list[Path]:
+    """The Python files that a solution imports from its folder or names in a text (`module("cart/judge_cart.py")`), and those that
+    these do; none where it is not Python."""
+    found: dict[Path, None] = {}
+    todo = [(solution.parent, source)]
     while todo:
-        for name in _imported(todo.pop()):
-            path = solution.parent / f"{name}.py"
-            if name not in found and path != solution and path.is_file():
-                found[name] = path
-                todo.append(path.read_bytes())
-    return [found[name] for name in sorted(found)]
+        folder, text = todo.pop()
+        for name in _names(text):
+            places = [each / name for each in (folder, solution.parent)]
+            path = next((each for each in places if each.is_file()), solution)
+            if path not in found and path != solution:
+                found[path] = None
+                todo.append((path.parent, path.read_bytes()))
+    return sorted(found)
 
 
-def _imported(source: bytes) -> Iterator[str]:
+def _names(source: bytes) -> Iterator[str]:
+    """Files that a program imports, if they are there, or names."""
     try:
         tree = ast.parse(source)
     except (SyntaxError, ValueError):
@@ -88,8 +154,12 @@ def _imported(source: bytes) -> Iterator[str]:
     for node in ast.walk(tree):
         match node:
             case ast.Import(names):
-                yield from (alias.name.partition(".")[0] for alias in names)
+                yield from (f"{alias.name.partition('.')[0]}.py" for alias in names)
             case ast.ImportFrom(module=str(module), level=0):
-                yield module.partition(".")[0]
+                yield f"{module.partition('.')[0]}.py"
+            case ast.Constant(value=str(text)) if (
+                text.endswith(".py") and len(text) <= LONGEST and text.isprintable()
+            ):
+                yield text
             case _:
                 pass

@@ -26,8 +26,14 @@ NAMES = {EQUAL: equal, UNEQUAL: unequal}
 
 
 def compiled(source: bytes | str, path: str) -> Any:
-    """The code of a solution, each == and != in it as a call. Raises SyntaxError or ValueError for what is no Python."""
-    tree = ast.fix_missing_locations(_Comparisons().visit(ast.parse(source, path)))
+    """The code of a solution, each == and != in it as a call. Raises SyntaxError, which names the file, or ValueError for what is
+    no Python."""
+    try:
+        tree = ast.parse(source, path)
+    except SyntaxError as error:
+        error.filename = error.filename or path
+        raise
+    tree = ast.fix_missing_locations(_Comparisons().visit(tree))
     return compile(tree, path, "exec", dont_inherit=True)
 
 

@@ -16,7 +16,7 @@ from types import ModuleType
 from typing import Any, cast
 
 from corollary.answers.questions import checked
-from corollary.derive.beside import importable, modules_beside
+from corollary.derive.beside import files_beside, importable
 from corollary.derive.cases import Branch
 from corollary.derive.comparison import NAMES, compiled
 from corollary.derive.derivation import Derivation
@@ -70,12 +70,14 @@ def load(bank: Bank, problem: Problem) -> Loaded:
         raise NotDerivable(
             path, 0, f"is missing; {problem.path.name} needs a solution there, with a function derive(…)"
         )
-    with importable(path), time_limit(AUTHOR_S, AUTHOR_WALL_S), redirect_stdout(sys.stderr):
+    with importable(path.parent), time_limit(AUTHOR_S, AUTHOR_WALL_S), redirect_stdout(sys.stderr):
         return _loaded(problem, path)
 
 
 @contextmanager
-def authors_code(path: Path, fails: str, line: int = 0) -> Generator[None]:
+def authors_code(
+    path: Path, fails: str, line: int = 0, passing: tuple[type[Exception], ...] = ()
+) -> Generator[None]:
     """Raise NotDerivable for whatever an author's own code raises, SystemExit and a KeyboardInterrupt of its own among it.
 
     What a person interrupts at the keyboard stops all the same.
@@ -83,13 +85,27 @@ def authors_code(path: Path, fails: str, line: int = 0) -> Generator[None]:
     with no_way_out(), keyboard() as pressed:
         try:
             yield
-        except (NotDerivable, Overtime):
+        except (NotDerivable, Overtime, *passing):
             raise
         except BaseException as error:
             if pressed():
                 raise KeyboardInterrupt from error
+            place, at = place_in(error, path)
+            if isinstance(error, SyntaxError) and error.filename == str(place):
+                raise NotDerivable(place, at, f"is not Python: {error.msg}") from None
             sentence = f"{fails}: {_description(error)}{_remedy(error)}"
-            raise NotDerivable(path, line_in(error, path) or line, sentence) from error
+            raise NotDerivable(place, at or line, sentence) from error
+
+
+@contextmanager
+def called_later(
+    bank: Bank, problem: Problem, fails: str, line: int, passing: tuple[type[Exception], ...] = ()
+) -> Generator[None]:
+    """Around a call of a function that a solution brought, after it was loaded: what it raises is a NotDerivable that names the
+    file and line, what it prints is no output of a command, and it may import what lies beside the solution."""
+    path = bank.solution(problem)
+    with importable(path.parent), redirect_stdout(sys.stderr), authors_code(path, fails, line, passing):
+        yield
 
 
 def _loaded(problem: Problem, path: Path) -> Loaded:
@@ -120,21 +136,29 @@ def _loaded(problem: Problem, path: Path) -> Loaded:
 
 
 def source(bank: Bank, problem: Problem) -> bytes:
-    """The text of a solution, with that of the modules beside it that it imports. Raises NotDerivable when it is missing."""
+    """The text of a solution with those of the files beside it that it is made of. Raises NotDerivable when it is missing."""
+    return b"\0".join(sources(bank, problem).values())
+
+
+def sources(bank: Bank, problem: Problem) -> dict[Path, bytes]:
+    """The texts of a solution and of the files beside it that it imports or names, its own first. Raises NotDerivable."""
     path = bank.solution(problem)
     try:
         own = path.read_bytes()
-        return b"\0".join((own, *(each.read_bytes() for each in modules_beside(path, own))))
+        return {path: own} | {each: each.read_bytes() for each in files_beside(path, own)}
     except OSError as error:
         raise NotDerivable(path, 0, f"cannot be read: {error.strerror}") from None
 
 
-def line_in(error: BaseException, path: Path) -> int:
-    """The deepest line of the file that took part in an exception."""
-    lines = [
-        frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)
-    ]
-    return lines[-1] or 0 if lines else 0
+def place_in(error: BaseException, path: Path) -> tuple[Path, int]:
+    """The deepest line that took part in an exception of a solution's file, or of one beside it; its own file and 0 without one."""
+    frames = [(frame.filename, frame.lineno) for frame in traceback.extract_tb(error.__traceback__)]
+    if isinstance(error, SyntaxError) and error.filename:
+        frames.append((error.filename, error.lineno or 1))
+    for name, line in reversed(frames):
+        if line and Path(name).is_relative_to(path.parent):
+            return Path(name), line
+    return path, 0
 
 
 def _module(path: Path) -> ModuleType:
@@ -143,11 +167,8 @@ def _module(path: Path) -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     vars(module).update(NAMES)
     with authors_code(path, "cannot be loaded"):
-        try:
-            # Compiled anew: Python takes its own copy for the same file when size and second are, as after a quick change of a sign.
-            exec(compiled(path.read_bytes(), str(path)), vars(module))
-        except SyntaxError as error:
-            raise NotDerivable(path, error.lineno or 1, f"is not Python: {error.msg}") from None
+        # Compiled anew: Python takes its own copy for the same file when size and second are, as after a quick change of a sign.
+        exec(compiled(path.read_bytes(), str(path)), vars(module))
     return module
 
 

@@ -44,8 +44,12 @@ def judge(
     *,
     secret: bytes = b"",
     student: str = "",
+    passing: tuple[type[Exception], ...] = (),
 ) -> dict[str, tuple[tuple[Verdict, ...], str]]:
-    """The verdicts of each part, and how the answer was read. A part of two types (code and plot) has two verdicts."""
+    """The verdicts of each part, and how the answer was read. A part of two types (code and plot) has two verdicts.
+
+    What cannot be judged waits for a person; only exceptions that are `passing` are raised.
+    """
     so_far = _SoFar()
     result: dict[str, tuple[tuple[Verdict, ...], str]] = {}
     for part in key.variant.problem.parts:
@@ -54,7 +58,7 @@ def judge(
             partial(_on_runs, key, part, run, secret, student) if run else dict[str, Callable[[], Verdict]]
         )
         value = answers.get(part.id, Nothing())
-        found = guarded(partial(_of_part, key, part, value, on_runs, so_far), LONGEST)
+        found = guarded(partial(_of_part, key, part, value, on_runs, so_far), LONGEST, passing)
         if isinstance(found, Failure):
             found = (
                 tuple(Unmarked(_("It could not be marked by the program.")) for _type in part.answer_types),

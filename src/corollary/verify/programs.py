@@ -7,6 +7,7 @@ from contextlib import contextmanager, nullcontext
 
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Mistaken, Right, Verdict, Wrong, described
+from corollary.derive.load import NotDerivable
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
 from corollary.grading.programs.judge import code_of, plot_of
@@ -48,25 +49,26 @@ def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = N
     try:
         with Runner() if runner is None else nullcontext(runner) as runner:
             for part in parts:
-                where = f"{path.name}:{_line(key, part)}: part {part.id}"
-                for name, verdict in zip(
-                    part.answer_types, _verdicts(runner, key, part, example(key, part)), strict=True
-                ):
-                    if not tally.check(isinstance(verdict, Right), "programs run"):
-                        tally.complain(
-                            f"{where}: the example's {name} should be right and is {described(verdict)}"
-                        )
-                for name, verdict in zip(
-                    part.answer_types, _verdicts(runner, key, part, bent(key, part)), strict=True
-                ):
-                    if not tally.check(isinstance(verdict, Wrong | Mistaken), "programs run"):
-                        function = answer_type(name).found_in == "function"
-                        what = (
-                            "the example with its numbers bent" if function else "a figure with nothing in it"
-                        )
-                        tally.complain(f"{where}: {what} should be wrong and is {described(verdict)}")
+                try:
+                    _check_part(runner, key, part, f"{path.name}:{_line(key, part)}: part {part.id}", tally)
+                except NotDerivable as error:  # of its inputs or its judge
+                    tally.complain(f"{error} (part {part.id})")
     except CannotStart as error:
         tally.complain(f"{path.name}: its programs could not be run: {error}")
+
+
+def _check_part(runner: Runner, key: Key, part: Part, where: str, tally: Tally) -> None:
+    """Raises NotDerivable where what the solution brings fails."""
+    for name, verdict in zip(
+        part.answer_types, _verdicts(runner, key, part, example(key, part)), strict=True
+    ):
+        if not tally.check(isinstance(verdict, Right), "programs run"):
+            tally.complain(f"{where}: the example's {name} should be right and is {described(verdict)}")
+    for name, verdict in zip(part.answer_types, _verdicts(runner, key, part, bent(key, part)), strict=True):
+        if not tally.check(isinstance(verdict, Wrong | Mistaken), "programs run"):
+            function = answer_type(name).found_in == "function"
+            what = "the example with its numbers bent" if function else "a figure with nothing in it"
+            tally.complain(f"{where}: {what} should be wrong and is {described(verdict)}")
 
 
 def example(key: Key, part: Part) -> str:
@@ -94,7 +96,8 @@ def _program(key: Key, part: Part) -> str:
 
 
 def _verdicts(runner: Runner, key: Key, part: Part, source: str) -> tuple[Verdict, ...]:
-    return judge(key, {}, {part.id: ran(runner, key, part.id, source)})[part.id][0]
+    run = ran(runner, key, part.id, source)
+    return judge(key, {}, {part.id: run}, passing=(NotDerivable,))[part.id][0]
 
 
 def _line(key: Key, part: Part) -> int:

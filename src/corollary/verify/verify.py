@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from corollary.derive.load import NotDerivable, line_in
+from corollary.derive.load import NotDerivable, place_in
 from corollary.derive.solve import solve
 from corollary.figure.svg import NotADrawing, safe_svg
 from corollary.formula.ball import Undefined
@@ -114,9 +114,8 @@ class Verification:
         except (
             Exception
         ) as error:  # of a library, an author's judge or scene, or ours: it costs this problem, and no other
-            path = bank.solution(problem)
-            where = f"{path.name}:{line_in(error, path) or 1}"
-            tally.complain(f"{where}: it cannot be verified: {type(error).__name__}: {error}")
+            path, line = place_in(error, bank.solution(problem))
+            tally.complain(f"{path.name}:{line or 1}: it cannot be verified: {type(error).__name__}: {error}")
 
     def checked(self) -> Checked:
         """What was found by the stages that are done."""

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from itertools import chain
-from typing import Any, assert_never
+from typing import Any
 
 from corollary.answers.answer import Numbers, Unclear
 from corollary.answers.question import Question
 from corollary.answers.vectors import vector
 from corollary.answers.verdict import Mistaken, Right, Unmarked, Unread, Verdict, Wrong
+from corollary.derive.load import called_later
 from corollary.derive.solution import Solution
 from corollary.derive.statements import Code, Doubt, Fault, Plot, Remark
 from corollary.formula.value import Exact, Items, Nothing, Real, Value
@@ -17,6 +19,7 @@ from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.convergence import Called
 from corollary.grading.programs.work import TooMuchCompared, limited
 from corollary.messages import catalogue
+from corollary.problem.bank import bank_of
 from corollary.problem.part import Part
 from corollary.problem.sampling import digest
 from corollary.problem.variant import Variant
@@ -65,14 +68,15 @@ def asks(solution: Solution, variant: Variant, part: Part, secret: bytes, studen
 def inputs_of(
     code: Code, variant: Variant, part: Part, secret: bytes, student: str
 ) -> Sequence[Mapping[str, object]]:
-    """The same inputs each time for one student and part, and different for others."""
+    """The same inputs each time for one student and part, and different for others. Raises NotDerivable where they fail."""
     count = iter(range(1 << 30))
 
     def draw(low: float, high: float) -> float:
         number = digest(secret, "call", variant.problem.code, part.id, student, str(next(count))) % (1 << 53)
         return low + (high - low) * number / (1 << 53)
 
-    return code.inputs(variant.si, draw)
+    with _authors(variant, code, "the inputs fail"):
+        return list(code.inputs(variant.si, draw))
 
 
 def verdicts_on_runs(
@@ -96,7 +100,8 @@ def judge_code(
     called = _called(code, variant, part, run, secret, student)
     if isinstance(called, Unread):
         return called
-    verdict = _verdict(code.judge(variant.si, called))
+    with _authors(variant, code, "the judge fails"):
+        verdict = _verdict(code.judge(variant.si, called))
     if isinstance(verdict, Mistaken) and len(called) > 1 and _is_constant(called):
         return Wrong(_("{function} returns the same, whatever it is called with.", function=part.function))
     return verdict
@@ -164,7 +169,10 @@ def _judge_plot(
 
     def verdict_on(figures: Sequence[Figure]) -> Verdict:
         axes = [each for figure in figures for each in figure.axes]
-        return _verdict(plot.judge(variant.si, axes, *called)) if axes else blank
+        if not axes:
+            return blank
+        with _authors(variant, plot, "the judge of figures fails"):
+            return _verdict(plot.judge(variant.si, axes, *called))
 
     own = verdict_on(run.figures)
     if isinstance(own, Right | Unmarked):
@@ -181,6 +189,12 @@ def _judge_plot(
     return own
 
 
+def _authors(variant: Variant, entry: Code | Plot, fails: str) -> AbstractContextManager[None]:
+    """Around a call of what an entry brings."""
+    problem = variant.problem
+    return called_later(bank_of(problem), problem, fails, entry.statement.line, (TooMuchCompared,))
+
+
 def _verdict(finding: Fault | Remark | Doubt | None) -> Verdict:
     match finding:
         case None:
@@ -191,8 +205,8 @@ def _verdict(finding: Fault | Remark | Doubt | None) -> Verdict:
             return Unmarked(sentence)
         case Fault(sentence, known):
             return Mistaken(sentence) if known else Wrong(sentence)
-        case _:
-            assert_never(finding)
+        case _:  # of an author's own making
+            raise TypeError(f"a judge answers None, or a Fault, a Remark or a Doubt, and not {finding!r}")
 
 
 def _argument(value: Any) -> Argument:

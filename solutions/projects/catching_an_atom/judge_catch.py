@@ -5,19 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs.convergence import (
-    STEPS,
-    Called,
-    Draw,
-    Family,
-    Given,
-    Inputs,
-    Standard,
-    halved,
-    judged,
-)
-from corollary.grading.programs.orbit import (
+from judge_orbit import (
     FORWARD_EULER,
     Pull,
     State,
@@ -32,9 +20,23 @@ from corollary.grading.programs.orbit import (
     start_of,
     stepped,
 )
-from corollary.messages import catalogue
 
-_ = catalogue(__name__)
+from corollary.programs import (
+    STEPS,
+    Called,
+    Draw,
+    Family,
+    Fault,
+    Given,
+    Inputs,
+    Remark,
+    Standard,
+    catalogue,
+    halved,
+    judged,
+)
+
+_ = catalogue(__file__)
 
 
 def catch_inputs(given: Given, draw: Draw) -> list[Inputs]:

@@ -10,17 +10,25 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
+from judge_bounce import ARGUMENTS, reference
 
-from corollary.derive.statements import Doubt, Fault
-from corollary.grading.programs.convergence import Given
-from corollary.grading.programs.curves import DrawnCurve, Graph, Numbers
-from corollary.grading.programs.fixed_step import RK4, march
-from corollary.grading.programs.floor import ARGUMENTS, reference
-from corollary.grading.programs.panels import Axis, Panel, judge_panels
-from corollary.messages import catalogue
-from corollary.sandbox.result import Axes
+from corollary.programs import (
+    RK4,
+    Axes,
+    Axis,
+    Doubt,
+    DrawnCurve,
+    Fault,
+    Given,
+    Graph,
+    Numbers,
+    Panel,
+    catalogue,
+    judge_panels,
+    march,
+)
 
-_ = catalogue(__name__)
+_ = catalogue(__file__)
 
 TIME = Axis("t [s]")
 FORCE = Axis("F [N]", r"\b[pvuek]\b|moment|impuls|energ")

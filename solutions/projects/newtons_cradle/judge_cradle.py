@@ -8,28 +8,34 @@ from functools import lru_cache
 from itertools import islice, pairwise
 from typing import Literal
 
-from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs.convergence import (
+from corollary.programs import (
+    EULER,
+    EULER_CROMER,
+    N_,
     NAMED,
     STEPS,
     Bound,
     Called,
     Draw,
     Family,
+    Fault,
     Given,
     Inputs,
+    Remark,
     Standard,
+    catalogue,
+    contact_time,
     halved,
+    in_convention,
     judged,
+    march,
     measured,
     miscounted,
+    run,
+    states,
 )
-from corollary.grading.programs.fixed_step import EULER, EULER_CROMER, march, states
-from corollary.messages import N_, catalogue, in_convention
-from corollary.scenes.catalogue import run
-from corollary.scenes.models.two_bodies import contact_time
 
-_ = catalogue(__name__)
+_ = catalogue(__file__)
 
 Scheme = Literal["euler", "one-sided"]
 MOST_STEPS = 20_000  # two hundred contacts: the balls have parted, or the program lets them fly

@@ -6,19 +6,17 @@ import random
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from tests.judges import judges
 
 from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.convergence import Called
-from corollary.grading.programs.floor import (
-    ARGUMENTS,
-    BOUNCE,
-    bounce_inputs,
-    judge_bounce,
-    reference,
-    wrong_bounce,
-)
 
 from .conftest import RIGHT, bounce, forward_euler
+
+ARGUMENTS, BOUNCE, bounce_inputs, judge_bounce, reference, wrong_bounce = judges(
+    "impulse/ball_on_the_floor_program/judge_bounce.py",
+    "ARGUMENTS BOUNCE bounce_inputs judge_bounce reference wrong_bounce",
+)
 
 OWN = {"m": 0.1, "k": 1e6, "R": 0.02, "y0": 0.021, "v0": -2.8, "g": 9.8}
 

@@ -5,24 +5,27 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs import two_bodies
-from corollary.grading.programs.convergence import (
+import two_bodies
+from two_bodies import Force, converged
+
+from corollary.programs import (
     SMOOTH,
     STEPS,
     Called,
     Draw,
     Family,
+    Fault,
     Given,
     Inputs,
+    Remark,
     Standard,
+    catalogue,
     halved,
+    in_convention,
     judged,
 )
-from corollary.grading.programs.two_bodies import Force, converged
-from corollary.messages import catalogue, in_convention
 
-_ = catalogue(__name__)
+_ = catalogue(__file__)
 
 
 def ion_force(C: float, *, sign: float = -1.0, power: float = 3.0) -> Force:

@@ -5,20 +5,18 @@ import random
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from tests.judges import judges
 
 from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.convergence import OWN_STEPS, STEPS, Called
-from corollary.grading.programs.row import (
-    CRADLE,
-    bounds,
-    contact_time,
-    cradle_inputs,
-    judge_contact,
-    judge_cradle,
-)
+from corollary.programs import contact_time
 from corollary.scenes.catalogue import run
 
 from .conftest import RIGHT, forward_euler, row
+
+CRADLE, bounds, cradle_inputs, judge_contact, judge_cradle = judges(
+    "projects/newtons_cradle/judge_cradle.py", "CRADLE bounds cradle_inputs judge_contact judge_cradle"
+)
 
 
 def judged(program, seed=0):

@@ -8,27 +8,30 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
 
-from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs.convergence import (
+from corollary.programs import (
+    EULER_CROMER,
+    N_,
     NAMED,
     STEPS,
     Bound,
     Called,
     Draw,
     Family,
+    Fault,
     Given,
     Inputs,
+    Remark,
     Standard,
+    catalogue,
     halved,
     judged,
+    march,
     measured,
     miscounted,
+    run,
 )
-from corollary.grading.programs.fixed_step import EULER_CROMER, march
-from corollary.messages import N_, catalogue
-from corollary.scenes.catalogue import run
 
-_ = catalogue(__name__)
+_ = catalogue(__file__)
 
 Scheme = Literal["euler", "weightless", "linear", "floor"]
 

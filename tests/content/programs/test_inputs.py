@@ -6,15 +6,18 @@ from functools import cache
 
 import numpy as np
 import pytest
-
-from corollary.grading.programs.catch import catch_inputs
-from corollary.grading.programs.floor import bounce_inputs
-from corollary.grading.programs.ions import ion_inputs
-from corollary.grading.programs.orbit import ORBIT, moved, orbit_inputs, pull_of, start_of
-from corollary.grading.programs.row import cradle_inputs
-from corollary.grading.programs.spheres import sphere_inputs
+from tests.judges import judges
 
 from .conftest import two
+
+(catch_inputs,) = judges("projects/catching_an_atom/judge_catch.py", "catch_inputs")
+(bounce_inputs,) = judges("impulse/ball_on_the_floor_program/judge_bounce.py", "bounce_inputs")
+(ion_inputs,) = judges("collisions/two_ions/judge_ions.py", "ion_inputs")
+ORBIT, moved, orbit_inputs, pull_of, start_of = judges(
+    "projects/catching_an_atom/judge_orbit.py", "ORBIT moved orbit_inputs pull_of start_of"
+)
+(cradle_inputs,) = judges("projects/newtons_cradle/judge_cradle.py", "cradle_inputs")
+(sphere_inputs,) = judges("collisions/colliding_spheres/judge_spheres.py", "sphere_inputs")
 
 
 @cache

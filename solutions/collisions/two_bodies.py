@@ -5,20 +5,25 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 
-from corollary.derive.statements import Fault
-from corollary.grading.programs.convergence import (
+from corollary.programs import (
+    EULER,
+    EULER_CROMER,
+    N_,
     NAMED,
+    RK4,
     SAFETY,
     Called,
+    Fault,
     Inputs,
+    Method,
     Standard,
+    catalogue,
+    march,
     measured,
     miscounted,
 )
-from corollary.grading.programs.fixed_step import EULER, EULER_CROMER, RK4, Method, march
-from corollary.messages import N_, catalogue
 
-_ = catalogue(__name__)
+_ = catalogue(__file__)
 
 FINEST = 1 << 15  # steps: beyond, a reference that has not converged will not
 LOST = (math.inf,) * 4

@@ -6,26 +6,29 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs import two_bodies
-from corollary.grading.programs.convergence import (
+import two_bodies
+from two_bodies import Force
+
+from corollary.programs import (
     STEPS,
     Called,
     Draw,
     Family,
+    Fault,
     Given,
     Inputs,
+    Remark,
+    Run,
     Standard,
+    catalogue,
+    contact_time,
     halved,
+    in_convention,
     judged,
+    run,
 )
-from corollary.grading.programs.two_bodies import Force
-from corollary.messages import catalogue, in_convention
-from corollary.scenes.catalogue import run
-from corollary.scenes.models.two_bodies import contact_time
-from corollary.scenes.run import Run
 
-_ = catalogue(__name__)
+_ = catalogue(__file__)
 
 
 def sphere_force(

@@ -6,15 +6,21 @@ import random
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from tests.judges import judges
 
 from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.convergence import Called
-from corollary.grading.programs.ions import IONS, closest, ion_force, ion_inputs, judge_ions
-from corollary.grading.programs.spheres import SPHERES, judge_spheres, sphere_force, sphere_inputs
-from corollary.grading.programs.two_bodies import converged
 from corollary.scenes.catalogue import run
 
 from .conftest import RIGHT, euler_cromer, forward_euler, two
+
+IONS, closest, ion_force, ion_inputs, judge_ions = judges(
+    "collisions/two_ions/judge_ions.py", "IONS closest ion_force ion_inputs judge_ions"
+)
+SPHERES, judge_spheres, sphere_force, sphere_inputs = judges(
+    "collisions/colliding_spheres/judge_spheres.py", "SPHERES judge_spheres sphere_force sphere_inputs"
+)
+(converged,) = judges("collisions/two_bodies.py", "converged")
 
 
 def spheres(seed, step=euler_cromer, eta=1.0, **changed):

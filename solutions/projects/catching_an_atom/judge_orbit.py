@@ -6,25 +6,30 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs.convergence import (
+from corollary.programs import (
+    EULER,
+    EULER_CROMER,
     NAMED,
+    RK4,
     STEPS,
     Called,
     Draw,
     Family,
+    Fault,
     Given,
     Inputs,
+    Path,
+    Remark,
     Standard,
+    catalogue,
     halved,
     judged,
+    march,
     measured,
     miscounted,
 )
-from corollary.grading.programs.fixed_step import EULER, EULER_CROMER, RK4, Path, march
-from corollary.messages import catalogue
 
-_ = catalogue(__name__)
+_ = catalogue(__file__)
 
 State = tuple[float, float, float, float]
 FORWARD_EULER = "this is forward Euler: the position is stepped with the old velocity, and energy grows. Step the velocity first."

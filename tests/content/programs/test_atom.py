@@ -4,14 +4,18 @@ import math
 import random
 
 import pytest
+from tests.judges import judges
 
 from corollary.derive.statements import Fault
-from corollary.grading.programs.catch import catch_inputs, judge_catch
 from corollary.grading.programs.convergence import Called
-from corollary.grading.programs.orbit import Pull, judge_orbit, moved, orbit_inputs, pull_of, start_of
 from corollary.scenes.catalogue import run
 
 from .conftest import RIGHT, euler_cromer, forward_euler, in_well
+
+catch_inputs, judge_catch = judges("projects/catching_an_atom/judge_catch.py", "catch_inputs judge_catch")
+Pull, judge_orbit, moved, orbit_inputs, pull_of, start_of = judges(
+    "projects/catching_an_atom/judge_orbit.py", "Pull judge_orbit moved orbit_inputs pull_of start_of"
+)
 
 
 def orbits(seed, step=euler_cromer, change=lambda well, case: well):

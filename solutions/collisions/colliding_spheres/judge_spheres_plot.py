@@ -6,17 +6,27 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 import numpy as np
+from judge_spheres import contact_of, sphere_force
 
-from corollary.derive.statements import Doubt, Fault
-from corollary.grading.programs.convergence import Inputs
-from corollary.grading.programs.curves import DrawnCurve, Graph, Numbers, PlanePath
-from corollary.grading.programs.fixed_step import RK4, march
-from corollary.grading.programs.panels import Axis, Panel, judge_panels
-from corollary.grading.programs.spheres import contact_of, sphere_force
-from corollary.messages import catalogue, in_convention
-from corollary.sandbox.result import Axes
+from corollary.programs import (
+    RK4,
+    Axes,
+    Axis,
+    Doubt,
+    DrawnCurve,
+    Fault,
+    Graph,
+    Inputs,
+    Numbers,
+    Panel,
+    PlanePath,
+    catalogue,
+    in_convention,
+    judge_panels,
+    march,
+)
 
-_ = catalogue(__name__)
+_ = catalogue(__file__)
 
 TIME, STEP = 0.10, 1e-4
 START: Inputs = {"rA": (0.0, 0.0), "vA": (1.0, 0.0), "rB": (0.08, 0.018), "vB": (0.0, 0.0)}

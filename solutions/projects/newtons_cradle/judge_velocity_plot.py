@@ -7,19 +7,29 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
+from judge_cradle import pushed
 
-from corollary.derive.statements import Doubt, Fault
-from corollary.grading.programs.convergence import Called, Given
-from corollary.grading.programs.curves import DrawnCurve, Graph, Numbers
-from corollary.grading.programs.fixed_step import RK4, march
-from corollary.grading.programs.panels import Axis, Panel, judge_panels
-from corollary.grading.programs.row import pushed
-from corollary.messages import catalogue, in_convention
-from corollary.sandbox.result import Axes
-from corollary.scenes.catalogue import run
-from corollary.scenes.models.two_bodies import contact_time
+from corollary.programs import (
+    RK4,
+    Axes,
+    Axis,
+    Called,
+    Doubt,
+    DrawnCurve,
+    Fault,
+    Given,
+    Graph,
+    Numbers,
+    Panel,
+    catalogue,
+    contact_time,
+    in_convention,
+    judge_panels,
+    march,
+    run,
+)
 
-_ = catalogue(__name__)
+_ = catalogue(__file__)
 
 TIME = Axis("t [s]")
 VELOCITY = Axis("v [m/s]", r"\b[pfx]\b|moment|impuls|force|kraft")

@@ -10,17 +10,29 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
+from judge_orbit import Pull
 
-from corollary.derive.statements import Doubt, Fault
-from corollary.grading.programs.curves import NEAR, OFFSETS, DrawnCurve, Graph, Numbers, covers, near_all
-from corollary.grading.programs.fixed_step import RK4, march
-from corollary.grading.programs.orbit import Pull
-from corollary.grading.programs.panels import Axis, Panel, judge_panels
-from corollary.messages import catalogue
-from corollary.sandbox.result import Axes
-from corollary.scenes.catalogue import run
+from corollary.programs import (
+    NEAR,
+    OFFSETS,
+    RK4,
+    Axes,
+    Axis,
+    Doubt,
+    DrawnCurve,
+    Fault,
+    Graph,
+    Numbers,
+    Panel,
+    catalogue,
+    covers,
+    judge_panels,
+    march,
+    near_all,
+    run,
+)
 
-_ = catalogue(__name__)
+_ = catalogue(__file__)
 
 PLACE = Axis("x [m]", r"\by\b")
 ACROSS = Axis("y [m]", r"\bx\b")
