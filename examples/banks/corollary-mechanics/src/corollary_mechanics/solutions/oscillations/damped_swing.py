@@ -2,11 +2,13 @@
 
 from math import pi
 
-from corollary.author import derivation, mistake, simulate, step, unknowns
+from corollary.author import code, derivation, file, mistake, module, simulate, step, unknowns
 from corollary.laws import law, wrong
 from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.spring import Spring
 from corollary.scenes.scene import Body, Scene
+
+SWING = module("damped_swing/judge_swing.py")
 
 
 def derive(A, B, T, m):
@@ -60,6 +62,13 @@ def derive(A, B, T, m):
                     wrong("1/2 = exp(-2*delta*h)"),
                 ),
             ],
+        ),
+        code(
+            "e",
+            "In each step the forces of spring and drag change the velocity, and the new velocity the place.",
+            inputs=SWING.swing_inputs,
+            judge=SWING.judge_swing,
+            example=file("damped_swing/swing.py"),
         ),
     )
 
