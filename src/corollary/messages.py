@@ -26,12 +26,8 @@ WITH_COMMA = frozenset({"de", "nb"})
 DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?!\w*\.\d)")
 _CARRIED: dict[tuple[str, str], bytes] = {}
 _LANGUAGE: ContextVar[str] = ContextVar("language", default="en")
-
-
-LOCALE, OF_BANK = (
-    "locale",
-    "messages",
-)  # the folder of translations, and the name of a bank's, which gettext gives
+LOCALE = "locale"  # the folder of translations
+OF_BANK = "messages"  # the domain of a bank's: the one that gettext and Babel take when none is named
 
 
 @dataclass(frozen=True, slots=True)

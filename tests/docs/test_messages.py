@@ -16,7 +16,8 @@ PACKAGE = TOP / "src" / "corollary"
 def test_templates_are_up_to_date() -> None:
     wanted = runpy.run_path(str(TOP / ".ci" / "messages.py"))["templates"]()
     assert len(wanted) >= 2
-    assert set(wanted) == set(PACKAGE.glob("*/locale/*.pot")), "run make messages"
+    templates = {*PACKAGE.glob("*/locale/*.pot"), *(TOP / "solutions").glob("locale/*.pot")}
+    assert set(wanted) == templates, "run make messages"
     for place, text in wanted.items():
         assert place.read_text(encoding="utf-8") == text, f"run make messages: {place.name}"
 
@@ -40,8 +41,9 @@ def spoken(path: Path) -> Iterator[str]:
 
 def test_no_text_is_hidden_from_who_extracts_them() -> None:
     """As one inside an f-string is."""
-    for room in {path.parents[1] for path in PACKAGE.glob("*/locale/*.pot")}:
-        with (room / "locale" / f"corollary.{room.name}.pot").open("rb") as file:
+    for template in (*PACKAGE.glob("*/locale/*.pot"), TOP / "solutions" / "locale" / "messages.pot"):
+        room = template.parents[1]
+        with template.open("rb") as file:
             known = {
                 each
                 for message in read_po(file)
