@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import pytest
 
+from corollary.derive.load import sources
 from corollary.problem.bank import Bank, chapter_bank, load
 from corollary.problem.problem import Problem
 from corollary.sandbox.runner import Runner
@@ -46,16 +47,18 @@ def test_verifies_over_many_variants(problem: Problem, runner: Runner) -> None:
 
 
 def test_every_file_of_the_solutions_is_used() -> None:
-    """A solution belongs to a problem; a program lies in a folder named like the solution that shows it."""
+    """A solution belongs to a problem; a program lies in a folder named like the solution that shows it, and so do its judges."""
     folder = BANK.folder / "solutions"
-    used = {BANK.solution(problem) for problem in PROBLEMS}
-    programs = {path for path in folder.rglob("*.py") if path not in used}
-    assert used <= set(folder.rglob("*.py"))
-    assert programs
-    for path in programs:
-        solution = path.parent.with_suffix(".py")
-        assert solution in used
-        assert f'file("{path.parent.name}/{path.name}")' in solution.read_text(encoding="utf-8")
+    solutions = {BANK.solution(problem) for problem in PROBLEMS}
+    used = {path for problem in PROBLEMS for path in sources(BANK, problem)}
+    assert used == set(folder.rglob("*.py"))
+    programs = {path for path in used - solutions if path.parent.with_suffix(".py") in solutions}
+    assert {path.name for path in used - solutions - programs} == {"two_bodies.py"}  # two exercises share it
+    shown = {path for path in programs if not path.name.startswith("judge_")}
+    assert len(shown) >= 13
+    for path in shown:
+        solution = path.parent.with_suffix(".py").read_text(encoding="utf-8")
+        assert f'file("{path.parent.name}/{path.name}")' in solution
 
 
 def test_solutions_import_what_authors_import() -> None:
