@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from corollary.answers.sign_words import AXIS_OF, SIGNS
 
@@ -27,6 +28,7 @@ NO_CONTENT: str = (
 EMPTY = frozenset(NO_CONTENT.split())
 
 
+@lru_cache(maxsize=512)  # of a part, each time that an answer to it is read
 def named_positive(*texts: str) -> str:
     """The words that the last of the texts to name a positive direction has for it; "" where none does."""
     for text in reversed(texts):
@@ -37,6 +39,7 @@ def named_positive(*texts: str) -> str:
     return ""
 
 
+@lru_cache(maxsize=512)
 def angle_reference(*texts: str) -> str:
     """`vertical` or `horizontal`, from which the last of the texts to say so counts an angle; "" where none does."""
     for text in reversed(texts):

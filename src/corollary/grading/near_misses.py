@@ -83,7 +83,13 @@ def _near_miss(
     """The first other reading that is right."""
     part = grade.part
     as_typed = [(NO_QUOTES, answer)] if isinstance(grade.verdict, Unmarked) else []
+    wrong = set[tuple[tuple[float, ...], ...]]()
     for kind, other in (*as_typed, *_readings(variant, part, value, answer, expected)):
+        if isinstance(other, Numbers) and not other.misfit and not other.in_words:
+            number = (other.values, other.figures, other.sizes)
+            if number in wrong:
+                continue
+            wrong.add(number)
         if isinstance(verdict_on(part.answer_type, other, expected), Right | Follows):
             return NearMiss(kind, text_typed(value), other.as_read)
     return None
@@ -95,9 +101,13 @@ def _readings(
     if isinstance(answer, Unclear):
         yield from ((TWO_WAYS, each) for each in (*answer.readings, *answer.near))
     zero = expected.quantity is not None and not any(expected.quantity.values)
+    read_already: list[Value | Numbers] = [value]
     for kind, other in other_readings(value, answer, expected.question):
         if zero and kind in (CASE, POWER):  # what is read as next to nothing would be it
             continue
+        if other in read_already:
+            continue
+        read_already.append(other)
         if not isinstance(other, Numbers):
             other = read(part, other, expected, variant)
         if kind == OTHER_LETTER and not isinstance(other, Formulas):

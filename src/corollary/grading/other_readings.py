@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Set
 from dataclasses import replace
 from itertools import combinations, permutations, product
 
@@ -13,7 +13,7 @@ from corollary.answers.expected import Values
 from corollary.answers.question import Question
 from corollary.formula.functions import SPELLINGS
 from corollary.formula.value import Exact, Items, Named, Real, Text, Value
-from corollary.units.unit import ONE, show
+from corollary.units.unit import ONE, Unit, read_unit, show
 
 Change = Callable[[str], str]
 Reading = tuple[str, Value | Numbers]
@@ -171,7 +171,7 @@ def _of_text(text: str, question: Question) -> Iterator[Reading]:
     """Readings of one text that change more than a sign of it."""
     if question.options:
         return
-    for cased in _cases(text):
+    for cased in _cases(text, {*question.symbol_names}):
         yield CASE, Text(cased)
     if re.search(r"[^=<>!]=[^=]", text):
         yield RIGHT_SIDE, Text(text.rpartition("=")[2])
@@ -197,8 +197,8 @@ def _of_unread(text: str, question: Question) -> Iterator[Reading]:
     yield from _single_numbers(text, question)
 
 
-def _cases(text: str) -> Iterator[str]:
-    """The text with other capitals in the words behind its first number."""
+def _cases(text: str, symbols: Set[str]) -> Iterator[str]:
+    """The text with other capitals in the words behind its first number; of a unit only those that are units or symbols again."""
     start = re.search(r"\d", text)
     if start is None:
         return
@@ -208,6 +208,8 @@ def _cases(text: str) -> Iterator[str]:
     if not words or len(words) > 4:
         return
     choices = [[found[0], *sorted(_capitals(found[0]) - {found[0]})] for found in words]
+    behind = words[0].start()
+    is_unit = isinstance(read_unit(text[behind:]), Unit)
     for count, chosen in enumerate(product(*choices)):
         if count >= MOST_CASES:
             return
@@ -215,7 +217,8 @@ def _cases(text: str) -> Iterator[str]:
             changed = text
             for found, word in reversed(list(zip(words, chosen, strict=True))):
                 changed = changed[: found.start()] + word + changed[found.end() :]
-            yield changed
+            if not is_unit or symbols >= {*chosen} or isinstance(read_unit(changed[behind:]), Unit):
+                yield changed
 
 
 def _capitals(word: str) -> set[str]:
@@ -245,6 +248,9 @@ def _bracketed(text: str) -> Iterator[str]:
     if not 3 <= len(tokens) <= MOST_TOKENS or not re.search(r"[/^*]", text):
         return
     depth = text.count("(") - text.count(")")
+    number = SIGNED.search(text)
+    if not depth and number is not None and isinstance(read_unit(text[number.end() :]), Unit):
+        return  # behind the number stands its unit, which has one reading
     if abs(depth) == 1:
         for place in range(len(tokens) + 1):
             yield " ".join([*tokens[:place], ")" if depth > 0 else "(", *tokens[place:]])
