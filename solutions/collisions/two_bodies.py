@@ -27,11 +27,11 @@ _ = catalogue(__file__)
 
 FINEST = 1 << 15  # steps: beyond, a reference that has not converged will not
 LOST = (math.inf,) * 4
-FORWARD_EULER = (
+FORWARD_EULER = N_(
     "this is forward Euler: the position is stepped with the old velocity. Step the velocity first, then the position "
     "with the new one."
 )
-ONE_SIDED = "only A feels a force. What B does to A, A does to B, the other way."
+ONE_SIDED = N_("only A feels a force. What B does to A, A does to B, the other way.")
 NOT_CONSERVED = N_(
     "the total momentum is not kept. The force on B is that on A, the other way, and each has its own mass."
 )
@@ -114,8 +114,8 @@ def wrong(called: Called, usual: Mapping[str, Force], right: Force, case: str) -
     ends = {
         f"{case} {sentence}": marched(inputs, force, EULER_CROMER, count) for sentence, force in usual.items()
     }
-    ends[f"{case} {FORWARD_EULER}"] = marched(inputs, right, EULER, count)
-    ends[f"{case} {ONE_SIDED}"] = marched(inputs, right, EULER_CROMER, count, both=False)
+    ends[f"{case} {_(FORWARD_EULER)}"] = marched(inputs, right, EULER, count)
+    ends[f"{case} {_(ONE_SIDED)}"] = marched(inputs, right, EULER_CROMER, count, both=False)
     sentence, end = min(ends.items(), key=lambda item: math.dist(returned, item[1]))
     if math.dist(returned, end) <= NAMED * speed(inputs):
         return Fault(sentence, known=True)

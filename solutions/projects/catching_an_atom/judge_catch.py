@@ -96,7 +96,7 @@ def _wrong(called: Called) -> Fault:
         _("the force has doubled, but not the mass. The pair has the mass of two atoms."): ended(
             inputs, dt, stiffer=2.0
         ),
-        FORWARD_EULER: ended(inputs, dt, walk=forward_euler),
+        _(FORWARD_EULER): ended(inputs, dt, walk=forward_euler),
     }
     return named(called, usual)
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from corollary.programs import (
     EULER,
     EULER_CROMER,
+    N_,
     NAMED,
     RK4,
     STEPS,
@@ -32,7 +33,9 @@ from corollary.programs import (
 _ = catalogue(__file__)
 
 State = tuple[float, float, float, float]
-FORWARD_EULER = "this is forward Euler: the position is stepped with the old velocity, and energy grows. Step the velocity first."
+FORWARD_EULER = N_(
+    "this is forward Euler: the position is stepped with the old velocity, and energy grows. Step the velocity first."
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,7 +186,7 @@ def _wrong(called: Called) -> Fault:
         ),
     }
     usual = {sentence: stepped(other, start, inputs["T"], steps) for sentence, other in wrong.items()}
-    usual[FORWARD_EULER] = forward_euler(pull, start, inputs["T"], steps)
+    usual[_(FORWARD_EULER)] = forward_euler(pull, start, inputs["T"], steps)
     return named(called, usual)
 
 
