@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+import sympy
 from tests.derive.conftest import problem_of
 
 from corollary.derive import cache
@@ -57,6 +58,14 @@ def derive(m, g, alpha, mus, muk):
     )
 """
 REST, SLIDES = "slope <= mus*N", "slope > mus*N"
+
+MANY = "sympy.Or(*(k*slope < mus*N for k in range(1, 10)))"
+JOINED = [
+    ("sympy.Or(slope > mus*N, slope < 0)", REST),
+    ("sympy.Or(alpha > sympy.pi/6, mus < muk*2)", "sympy.And(alpha <= sympy.pi/6, mus >= muk*2)"),
+    ("sympy.Not(sympy.And(slope <= mus*N, mus > 2*muk))", "sympy.And(slope <= mus*N, mus > 2*muk)"),
+    ("sympy.Xor(slope > mus*N, mus > 2*muk)", "sympy.Not(sympy.Xor(slope > mus*N, mus > 2*muk))"),
+]
 
 
 def written(rest: str = REST, slides: str = SLIDES) -> str:
@@ -145,12 +154,67 @@ def test_numbers_at_which_no_case_holds_have_no_answer(make):
     assert make_key(solution, chapter(problem)).solution.case == "the block stays at rest"
 
 
+@pytest.mark.parametrize(("slides", "rest"), JOINED)
+def test_a_condition_joins_relations_by_and_or_and_not(make, slides, rest):
+    """Each draw has the answers of the case whose condition is true by Python's own and, or, not."""
+    problem = problem_of(bank := make(whole=written(rest, slides), asks=ASKS, front=FRONT))
+    solution, cases = solve(bank, problem), set()
+    for variant in sample(problem, 60):
+        m, degrees, mus, muk = (float(variant.values[name]) for name in ("m", "alpha", "mus", "muk"))
+        angle = math.radians(degrees)
+        N = m * 9.81 * math.cos(angle)
+        letters = {"slope": m * 9.81 * math.sin(angle), "N": N, "mus": mus, "muk": muk, "alpha": angle}
+        truth = bool(eval(slides, {"sympy": sympy}, letters))
+        friction = muk * N if truth else letters["slope"]
+        assert make_key(solution, variant)["a"].value == pytest.approx(friction)
+        cases.add(truth)
+    assert cases == {True, False}
+    checked = verify(bank, problem, 20)
+    assert checked.ok, checked.complaints
+    assert [each.outcome for each in checked.obligations if each.kind == "one case"] == ["proven"]
+
+
+def test_a_joined_condition_that_leaves_numbers_out_is_no_case_for_them(make):
+    bank = make(
+        whole=written("sympy.And(slope <= mus*N, mus > 2*muk)", SLIDES),
+        asks=ASKS,
+        front=FRONT.replace("from: 0.1", "from: 0.2"),
+    )
+    assert any("no case holds for" in each for each in verify(bank, problem_of(bank), 2).complaints)
+
+
+def test_the_dimensions_of_a_joined_condition_are_complained_of_once(make):
+    bank = make(whole=written(REST, "sympy.Or(slope > mus*N, m > 3)"), asks=ASKS, front=FRONT)
+    found = [each for each in verify(bank, problem_of(bank), 2).complaints if "cannot be compared" in each]
+    assert len(found) == 1
+
+
+@pytest.mark.parametrize(
+    "place",
+    [
+        'law("Kinetic friction", "F = f", f=WHICH)',
+        'law("Kinetic friction", "F = muk*N"), where=F >= WHICH',
+        'law("Kinetic friction", "F = muk*N"), scale=WHICH',
+    ],
+)
+def test_a_piecewise_is_pointed_to_cases(refused, place):
+    which = "sympy.Piecewise((slope, slope <= mus*N), (muk*N, True))"
+    opening, _, rest = WHOLE.partition("        cases(")
+    one = f'        step(F, "Friction.", {place.replace("WHICH", which)}, answers="a"),\n'
+    line, sentence = refused(
+        whole=opening + one + rest[rest.index("        step(a") :], asks=ASKS, front=FRONT
+    )
+    assert line == 10
+    assert "state each of its pieces as a case" in sentence
+
+
 @pytest.mark.parametrize(
     ("rest", "slides", "said"),
     [
         (REST, "slope > 200*mus*N", "the case 'the block slides': it holds for none of"),
         (REST, "True", "is no condition of a case; write relations"),
-        (REST, "sympy.Or(slope > mus*N, slope < 0)", "is no condition of a case; write relations"),
+        (REST, "sympy.Or(m > 0, slope > mus*N)", "True is no condition of a case; write relations"),
+        (REST, MANY, "can hold in more than 8 ways; state cases with conditions that are shorter"),
     ],
 )
 def test_faults_are_said_at_the_case(refused, rest, slides, said):

@@ -72,8 +72,8 @@ def _recalled(text: bytes | None, bank: Bank, problem: Problem) -> Solution | No
         if entries is None:
             entries = unsolved(load(bank, problem).derivation)
         regimes = tuple(
-            Regime(text, conditions, line, Solution(problem=problem, **found, entries=entries))
-            for text, conditions, line, found in content.pop("regimes")
+            Regime(text, conditions, line, Solution(problem=problem, **found, entries=entries), place)
+            for text, conditions, line, found, place in content.pop("regimes")
         )
         return Solution(problem=problem, **content, regimes=regimes, entries=entries)
     return None
@@ -85,7 +85,13 @@ def _text(solution: Solution) -> bytes:
     }
     shared = content.keys() - HELD
     content["regimes"] = [
-        (each.text, each.conditions, each.line, {name: getattr(each.solution, name) for name in shared})
+        (
+            each.text,
+            each.conditions,
+            each.line,
+            {name: getattr(each.solution, name) for name in shared},
+            each.place,
+        )
         for each in solution.regimes
     ]
     try:

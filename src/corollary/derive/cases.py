@@ -4,16 +4,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from itertools import islice
+from typing import TYPE_CHECKING, Any
 
 from corollary.derive.derivation import Derivation, Entry
 from corollary.derive.statements import Choice, Finding
-from corollary.formula.ast import Relation
+from corollary.formula.ast import Relation, opposite
 
 if TYPE_CHECKING:  # as in statements.py: what is solved already is used without any algebra
     from sympy.logic.boolalg import Boolean
+
+MOST_WAYS = 8  # in which a condition can hold: each is proven by itself
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,12 +76,70 @@ def relations(condition: object) -> tuple[Relation, ...]:
     """The relations that must all hold. Raises ValueError where the condition is no relation, nor several joined by sympy's And."""
     import sympy  # only here, as above
 
-    from corollary.formula.from_sympy import NoTree, relation
-
     parts = condition.args if isinstance(condition, sympy.And) else (condition,)
-    try:
-        return tuple(relation(part) for part in parts)  # pyright: ignore[reportArgumentType]
-    except NoTree:
+    return tuple(_relation(part, condition) for part in parts)
+
+
+def ways(condition: object) -> tuple[tuple[Relation, ...], ...]:
+    """The ways in which a condition can hold, of which no two hold for the same numbers: relations that all hold in each.
+
+    Raises ValueError where the condition joins no relations, or too many.
+    """
+    found = tuple(islice(_ways(condition, condition), MOST_WAYS + 1))
+    if found in ((), ((),)):
+        raise ValueError(_refused(condition))
+    if len(found) > MOST_WAYS:
         raise ValueError(
-            f"{condition} is no condition of a case; write relations, such as mu > tan(alpha)"
-        ) from None
+            f"{condition} can hold in more than {MOST_WAYS} ways; state cases with conditions that are shorter"
+        )
+    return found
+
+
+def clauses(condition: object) -> tuple[tuple[Relation, ...], ...]:
+    """A condition as clauses that must all hold, each with one of its relations at least. Raises ValueError as `ways`."""
+    import sympy  # only here, as above
+
+    found: list[tuple[Relation, ...]] = []
+    for part in condition.args if isinstance(condition, sympy.And) else (condition,):
+        joined = isinstance(part, sympy.logic.boolalg.BooleanFunction)
+        broken = ways(sympy.Not(part)) if joined else ((opposite(_relation(part, condition)),),)
+        found += [tuple(map(opposite, way)) for way in broken]
+    return tuple(found)
+
+
+def _ways(condition: Any, whole: object) -> Iterator[tuple[Relation, ...]]:
+    """By the first relation in it: those where it holds, then those where it does not."""
+    import sympy  # only here, as above
+
+    if condition in (sympy.true, sympy.false, True, False):
+        yield from [()] if condition else []
+        return
+    first = _first(condition)
+    _relation(first, whole)
+    for held, value in ((first, sympy.true), (sympy.Not(first), sympy.false)):
+        for rest in _ways(condition.xreplace({first: value}), whole):
+            yield (_relation(held, whole), *rest)
+
+
+def _first(condition: Any) -> Any:
+    """What stands first in a condition and joins nothing."""
+    import sympy  # only here, as above
+
+    joins = isinstance(condition, sympy.logic.boolalg.BooleanFunction) and condition.args
+    return _first(condition.args[0]) if joins else condition
+
+
+def _relation(part: Any, whole: object) -> Relation:
+    from corollary.formula.from_sympy import NoTree, relation  # only here, as above
+
+    try:
+        return relation(part)
+    except NoTree:
+        raise ValueError(_refused(whole)) from None
+
+
+def _refused(condition: object) -> str:
+    return (
+        f"{condition} is no condition of a case; write relations, such as mu > tan(alpha), "
+        "alone or joined by And, Or and Not"
+    )

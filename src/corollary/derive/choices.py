@@ -10,7 +10,7 @@ from fractions import Fraction
 import sympy
 from sympy.logic.boolalg import Boolean
 
-from corollary.derive.cases import relations
+from corollary.derive.cases import clauses
 from corollary.derive.derivation import Always, Entry
 from corollary.derive.known import Known
 from corollary.derive.load import NotDerivable
@@ -56,14 +56,14 @@ def claims(
                 raise failing(f"always(…): {error}", line) from error
 
 
-def _claimed(condition: Boolean | bool | str, known: Known) -> tuple[Relation, ...]:
+def _claimed(condition: Boolean | bool | str, known: Known) -> tuple[tuple[Relation, ...], ...]:
     """None of a condition that sympy takes for true of all numbers: which of its letters it has cancelled cannot be seen any more."""
     if isinstance(condition, str):
-        return (known.relation_in_givens(condition),)
+        return ((known.relation_in_givens(condition),),)
     holds = known.in_givens_alone(condition)
     if holds == sympy.true:
         return ()
     if holds == sympy.false:
         one = Number(Fraction(1))
-        return (Relation("!=", one, one),)
-    return relations(holds)
+        return ((Relation("!=", one, one),),)
+    return clauses(holds)

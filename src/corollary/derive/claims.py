@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import sympy
@@ -12,6 +12,10 @@ import sympy
 from corollary.derive.derivation import Limit, Special
 from corollary.derive.known import Known
 from corollary.derive.sampled import Equality, compared
+from corollary.formula.ast import Relation, names
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.from_sympy import NoTree, tree
+from corollary.units.dimensional_analysis import dimension_of
 
 UNSETTLED = (sympy.nan, sympy.zoo)
 
@@ -45,6 +49,10 @@ def _limit(claim: Limit, known: Known) -> Iterator[str]:
     if not isinstance(letter, sympy.Symbol):
         yield f"{about}: {claim.letter} is found, and depends on givens; let one of these go to its limit"
         return
+    pairs = ((claim.of, claim.equals), (claim.letter, claim.to))
+    if not _misfits([(claim.of, claim.of)], known) and (misfits := _misfits(pairs, known)):
+        yield from (f"{about}: {each}" for each in misfits)
+        return
     if letter not in expression.free_symbols:
         yield f"{about}: it does not depend on {claim.letter}, it is {expression} everywhere"
         return
@@ -65,6 +73,9 @@ def _special(claim: Special, known: Known) -> Iterator[str]:
     strange = unknown[0] if unknown else _strange(claim.values.values(), known)
     if strange:
         yield f"at {case}: {strange} is neither given nor found"
+        return
+    if misfits := _misfits(((sympy.Symbol(name), value) for name, value in claim.values.items()), known):
+        yield from (f"at {case}: {each}" for each in misfits)
         return
     claimed = {found[name]: value for name, value in claim.values.items() if name in found}
     if not claimed:
@@ -91,6 +102,24 @@ def _different(about: str, found: Any, wanted: Any, claimed: object, known: Know
         yield f"{about} is {found}, not {claimed}{numbers}"
     elif not same.holds:
         yield f"{about} is {found}; whether that is {claimed} was not decided, neither by algebra nor at numbers"
+
+
+def _misfits(pairs: Iterable[tuple[Any, Any]], known: Known) -> list[str]:
+    """A sentence for each pair of formulas that do not measure the same: what an author sets equal is compared as conditions are."""
+    found: list[str] = []
+    for one, other in pairs:
+        try:
+            compare = Relation("=", tree(one), tree(other))
+            asides = {
+                each.name: dimension_of(tree(known.aside[each]), known.dimensions) for each in known.aside
+            }
+        except NoTree:
+            continue
+        dimensions = known.dimensions | {k: v for k, v in asides.items() if not isinstance(v, ParseError)}
+        if names(compare) <= dimensions.keys() | {"pi"}:
+            dimension = dimension_of(compare, dimensions)
+            found += [sentence(dimension)] if isinstance(dimension, ParseError) else []
+    return found
 
 
 def _strange(expressions: Any, known: Known) -> str:

@@ -102,8 +102,8 @@ class FoundFunction:
 class Known:
     """The givens, and each unknown as soon as it is found."""
 
-    def __init__(self, problem: Problem, conditions: tuple[Relation, ...] = ()):
-        """Raises ValueError where no number drawn satisfies the conditions."""
+    def __init__(self, problem: Problem, ways: tuple[tuple[Relation, ...], ...] = ()):
+        """Raises ValueError where no number drawn satisfies the relations of one of these ways, where there are any."""
         givens = [symbol_of(problem, given.symbol) for given in problem.givens]
         self.formulas: dict[sympy.Symbol, sympy.Expr] = {symbol: symbol for symbol in givens}
         self.aside: dict[sympy.Symbol, sympy.Expr] = {}  # unknowns that laws needed and nobody asks for
@@ -112,9 +112,13 @@ class Known:
         self.dimensions: dict[str, Dimension] = {
             given.symbol: given.unit.dimension for given in problem.givens
         }
-        drawn = MANY if conditions else POINTS - 1
+        drawn = MANY if ways else POINTS - 1
         variants = [chapter(problem), *sample(problem, drawn, salt="roots")]
-        fitting = [each for each in variants if all(holds(one, each.exact) for one in conditions)]
+        fitting = [
+            each
+            for each in variants
+            if not ways or any(all(holds(one, each.exact) for one in way) for way in ways)
+        ]
         if not fitting:
             raise ValueError(f"it holds for none of {len(variants)} draws; mend its condition, or the ranges")
         self._points = [point(variant, givens) for variant in fitting[:POINTS]]

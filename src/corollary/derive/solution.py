@@ -157,20 +157,23 @@ class Way:
 
 @dataclass(frozen=True, slots=True)
 class Regime:
-    """What is true in one case: `text` names it, `conditions` on the givens say when, at `line` of the solution."""
+    """What is true in one case: `text` names it, `conditions` on the givens say when, at `line` of the solution. A case that can hold in
+    several ways has a regime for each; `place` is that of the case among the cases."""
 
     text: str
     conditions: tuple[Relation, ...]
     line: int
     solution: Solution
+    place: int
 
 
 @dataclass(frozen=True, slots=True)
 class ClaimedCondition:
-    """What holds for all numbers, as the statement has it in words; the conditions are on givens, the claim at `line` of the solution."""
+    """What holds for all numbers, as the statement has it in words; the claim is at `line` of the solution. Of each condition, on
+    givens, one relation holds at least."""
 
     words: str
-    conditions: tuple[Relation, ...]
+    conditions: tuple[tuple[Relation, ...], ...]
     line: int
 
 

@@ -10,7 +10,7 @@ import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
-from corollary.derive.cases import Branch, Case, relations
+from corollary.derive.cases import Branch, Case, ways
 from corollary.derive.choices import claims, solved_choice
 from corollary.derive.derivation import Entry
 from corollary.derive.example import solved_example
@@ -61,11 +61,14 @@ from corollary.problem.problem import Problem
 def solve(bank: Bank, problem: Problem) -> Solution:
     """Everything that is true of a problem. Raises NotDerivable with file, line and what to do."""
     solved = [(solver, with_paths(solver.solution())) for solver in solvers(problem, load(bank, problem))]
-    (_, first), *others = solved
-    if not others:
-        return first
-    regimes = (Regime(found.case, solver.conditions, solver.line, found) for solver, found in solved)
-    return replace(first, regimes=tuple(regimes))
+    if len(solved) == 1:
+        return solved[0][1]
+    regimes = tuple(
+        Regime(found.case, way, solver.line, replace(found, conditions=way), place)
+        for place, (solver, found) in enumerate(solved)
+        for way in solver.ways
+    )
+    return replace(regimes[0].solution, regimes=regimes)
 
 
 def solvers(problem: Problem, loaded: Loaded) -> list[Solver]:
@@ -83,7 +86,7 @@ class Solver:
     def __init__(self, problem: Problem, loaded: Loaded):
         self.problem, self.loaded, self.known = problem, loaded, Known(problem)
         self.case, self.line = "", 0
-        self.conditions: tuple[Relation, ...] = ()
+        self.ways: tuple[tuple[Relation, ...], ...] = ()
 
     def in_case(self, branch: Branch, case: Case) -> Solver:
         """The solver that tries only numbers at which the case holds; its condition may speak of what is found before it."""
@@ -98,8 +101,8 @@ class Solver:
                     raise self.at_fault(entry, unforeseen(error)) from error
         try:
             found.case, found.line = case.text, case.line
-            found.conditions = relations(self.known.in_givens(sympy.sympify(case.condition)))
-            found.known = Known(self.problem, found.conditions)
+            found.ways = ways(self.known.in_givens(sympy.sympify(case.condition)))
+            found.known = Known(self.problem, found.ways)
         except ValueError as error:
             raise self.failing(f"the case {case.text!r}: {error}", case.line) from error
         return found
@@ -144,7 +147,6 @@ class Solver:
         return Solution(
             self.problem, tuple(unknowns), choices, examples, proofs, rest, left, case=case, forces=forces,
             always=tuple(claims(entries, self.known, self.failing)), meanings=self.loaded.meanings,
-            conditions=self.conditions,
         )  # fmt: skip
 
     def failing(self, sentence: str, line: int = 0) -> NotDerivable:

@@ -68,6 +68,7 @@ class Relation:
     right: Expr
 
 
+OPPOSITE = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
 Expr = Number | Name | Negative | Sum | Product | Quotient | Power | Call | Relation
 
 
@@ -138,3 +139,8 @@ def substitute(tree: Expr, meaning: Mapping[str, Expr]) -> Expr:
     if isinstance(tree, Name):
         return meaning.get(tree.name, tree)
     return rebuilt(tree, tuple(substitute(part, meaning) for part in children(tree)))
+
+
+def opposite(relation: Relation) -> Relation:
+    """What holds where the relation does not, and both sides have a value."""
+    return Relation(OPPOSITE[relation.sign], relation.left, relation.right)

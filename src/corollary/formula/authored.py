@@ -21,13 +21,14 @@ LARGEST_DENOMINATOR = 10_000  # of a fraction that is recognised in the advice
 
 
 class NotTyped(ValueError):
-    """A decimal that comes of Python's own arithmetic: which number was meant is not to be seen."""
+    """A number or formula of Python's that is no formula here, such as a decimal of which nobody sees which number was meant."""
 
 
 def as_expression(value: object) -> sympy.Expr:
     """A number or a formula of an author's in sympy; 273.15 is 27315/100, as it is in a formula's text.
 
-    Raises TypeError for what is neither, NotTyped for a number that is infinite, complex, or rounded by Python's own arithmetic.
+    Raises TypeError for what is neither, NotTyped for a number that is infinite, complex, or rounded by Python's own arithmetic, and
+    for a Piecewise.
     """
     found: Any = value
     match value:
@@ -80,6 +81,11 @@ def _refuse_unreal(found: sympy.Basic) -> None:
         raise NotTyped(f"{found} holds what is no number (a division by zero, an infinity or a NaN)")
     if found.has(sympy.I):
         raise NotTyped(f"{found} is complex, and every quantity here is real")
+    if found.has(sympy.Piecewise):
+        raise NotTyped(
+            "a Piecewise has no place in a formula; state each of its pieces as a case with a step of its own: "
+            'cases(case("it rests", F <= mu*N, step(…)), case("it slides", F > mu*N, step(…)))'
+        )
 
 
 def exact(expression: Any) -> Any:

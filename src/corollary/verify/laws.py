@@ -55,8 +55,9 @@ def dimensions_of(solution: Solution) -> dict[str, Dimension]:
 
 def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
     """Every law and every condition of the derivation, as it stands here, has the same dimension on both sides."""
-    for regime in solution.regimes[1:]:
-        check_dimensions(bank, regime.solution, tally)
+    others = {regime.place: regime.solution for regime in solution.regimes if regime.place}
+    for other in others.values():
+        check_dimensions(bank, other, tally)
     dimensions = dimensions_of(solution)
     path = bank.solution(solution.problem)
     for left in solution.neglected:
@@ -66,13 +67,16 @@ def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
     for find in (*solution.unknowns, *(left.bound for left in solution.neglected)):
         for law in (*find.laws, *(law for route in find.routes for law in route.stated.laws)):
             stated += [(law.name, find.statement.line, measured(relation)) for relation in law.here]
+    complaints: list[str] = []
     for name, line, relation in stated:
         if names(relation) - {"pi"} - dimensions.keys():
             continue  # an unknown met only inside a step: its dimension follows from the law itself
         found = dimension_of(relation, dimensions)
         tally.count("dimensions")
         if isinstance(found, ParseError):
-            tally.complain(f"{path.name}:{line}: {name}: {sentence(found)}")
+            complaints.append(f"{path.name}:{line}: {name}: {sentence(found)}")
+    for each in dict.fromkeys(complaints):  # of a case that holds in several ways each has its relations
+        tally.complain(each)
 
 
 def _conditions(solution: Solution) -> Iterator[tuple[str, int, Relation]]:
@@ -86,4 +90,6 @@ def _conditions(solution: Solution) -> Iterator[tuple[str, int, Relation]]:
             if isinstance(condition, Relation):
                 yield f"option {letter}", choice.statement.line, condition
     for claim in solution.always:
-        yield from ((f"always({claim.words!r})", claim.line, one) for one in claim.conditions)
+        yield from (
+            (f"always({claim.words!r})", claim.line, one) for clause in claim.conditions for one in clause
+        )

@@ -10,7 +10,7 @@ from typing import Any
 from corollary.answers.tolerance import within
 from corollary.derive.again import differential
 from corollary.derive.applied import applied
-from corollary.derive.cases import relations
+from corollary.derive.cases import clauses, relations
 from corollary.derive.derivation import Always, Entry, Limit, Special
 from corollary.derive.forces import sum_along
 from corollary.derive.free_body import Forces
@@ -256,7 +256,9 @@ class Checks:
             elif isinstance(entry, Forces) and not self._balanced(entry, laws, spot):
                 return "forces"
         for conditions in self.always:
-            if not now.unknown and any(fulfilled(each, now.letters) is False for each in conditions):
+            if not now.unknown and any(
+                all(fulfilled(one, now.letters) is False for one in clause) for clause in conditions
+            ):
                 return "always"
         for _part, options, _wrong in self.options:
             held = _held(options, now)
@@ -515,11 +517,11 @@ def _held(options: Mapping[str, Option], now: BentValues) -> list[str] | None:
     return found
 
 
-def _conditions(condition: object) -> list[tuple[str, Evaluation, Evaluation]]:
+def _conditions(condition: object) -> list[list[tuple[str, Evaluation, Evaluation]]]:
     if isinstance(condition, bool):
         return []
     try:
-        return [compared(each) for each in relations(condition)]
+        return [[compared(each) for each in clause] for clause in clauses(condition)]
     except (ValueError, NotAvailable):
         return []
 

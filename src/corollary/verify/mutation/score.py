@@ -139,9 +139,10 @@ def _laws(loaded: Loaded) -> Iterator[tuple[Law, int]]:
 def _checks(bank: Bank, solution: Solution, own: Key, played: Played) -> list[Checks]:
     """The checks of each case for which a spot is known."""
     loaded = load_once(bank, solution)
-    cases = [each.solution for each in solution.regimes] or [solution]
+    cases = [(each.solution, each.place) for each in solution.regimes] or [(solution, 0)]
     found: list[Checks] = []
-    for place, (one, branch) in enumerate(zip(cases, loaded.branches, strict=True)):
+    for one, place in cases:
+        branch = loaded.branches[place]
         keys = [key for key in (own, *(key for key, _ in played)) if key.solution is one or len(cases) == 1]
         keys = keys or list(islice(_keys_in(solution, one), DRAWS))
         try:

@@ -10,13 +10,13 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
 
-from corollary.formula.ast import Expr, Name, Relation, names
+from corollary.formula.ast import Expr, Name, Relation, names, opposite
 from corollary.formula.errors import Undefined
 from corollary.polynomials.polynomial import TooLarge
 from corollary.polynomials.rational_function import RationalFunction
 from corollary.verify.obligations.algebra import Algebra
 from corollary.verify.obligations.box import Box
-from corollary.verify.obligations.obligation import OPPOSITE, Clause, Equations
+from corollary.verify.obligations.obligation import Clause, Equations
 
 STEPS = 4_000_000  # of z3's own count, about 2 s; what is proven of the chapter takes 120 000 at most
 LONGEST_STEP = 60_000  # ms: for a step that does not count; a loaded machine must not decide what is proven
@@ -117,7 +117,7 @@ def no_exception(box: Box, need: Clause, steps: int = STEPS) -> bool | dict[str,
             query.solver.add(query.compared(algebra.gap(each), each.sign))
         query.bounded()
         for gap, each in zip(gaps, need, strict=True):
-            query.solver.add(query.compared(gap, OPPOSITE[each.sign]))
+            query.solver.add(query.compared(gap, opposite(each).sign))
         impossible = query.impossible()
         return query.nearest(box, letters) if impossible is False else bool(impossible)
     except (TooLarge, Undefined, KeyError):

@@ -12,7 +12,6 @@ Outcome = Literal["proven", "counter-example", "sampled", "undecided"]
 Kind = Literal["laws hold", "value exists", "one root", "not zero", "not created", "one case", "mistake apart", "mistakes differ", "claimed sign", "claimed"]  # fmt: skip
 Clause = tuple[Relation, ...]
 """Relations of which one must hold at least."""
-OPPOSITE = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
 REDRAWN = "redrawn otherwise"  # how what is checked whenever numbers are dealt is settled
 NO_NUMBERS: Mapping[str, str] = {}
 
@@ -50,11 +49,6 @@ class Obligation:
     redrawn: bool = False
     open: str = ""
     tried: bool = True
-
-
-def opposite(relation: Relation) -> Relation:
-    """What holds where the relation does not, and both sides have a value."""
-    return Relation(OPPOSITE[relation.sign], relation.left, relation.right)
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from itertools import combinations, product
 
 from corollary.derive.solution import Solution
-from corollary.formula.ast import Relation
-from corollary.verify.obligations.obligation import Clause, Obligation, opposite
+from corollary.formula.ast import Relation, opposite
+from corollary.verify.obligations.obligation import Clause, Obligation
 from corollary.verify.obligations.values import ONE, ZERO
 
 MOST_CLAUSES = 64

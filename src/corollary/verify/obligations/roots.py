@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from corollary.derive.solution import Solution, Unknown
-from corollary.formula.ast import Expr, Relation, substitute
+from corollary.formula.ast import Expr, Relation, opposite, substitute
 from corollary.formula.operators import has_operators
-from corollary.verify.obligations.obligation import Clause, Equations, Obligation, opposite
+from corollary.verify.obligations.obligation import Clause, Equations, Obligation
 
 Found = Mapping[str, Expr]
 NOT_FOUND = "that the algebra system has found all roots is not proven"

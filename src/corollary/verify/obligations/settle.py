@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from corollary.derive.solution import Solution
-from corollary.formula.ast import Expr, Relation
+from corollary.formula.ast import Expr, Relation, opposite
 from corollary.formula.rational_pi import RationalPi
 from corollary.formula.text import text
 from corollary.problem.sampling import sample
@@ -22,7 +22,7 @@ from corollary.verify.obligations.created import not_created
 from corollary.verify.obligations.laws import laws_hold
 from corollary.verify.obligations.mistakes import apart, differing
 from corollary.verify.obligations.nonlinear import STEPS, installed, no_exception, only_root
-from corollary.verify.obligations.obligation import REDRAWN, Clause, Obligation, Settled, opposite
+from corollary.verify.obligations.obligation import REDRAWN, Clause, Obligation, Settled
 from corollary.verify.obligations.regimes import one_case
 from corollary.verify.obligations.roots import NOT_FOUND, only_roots
 from corollary.verify.obligations.signs import always_so, of_claimed_sign

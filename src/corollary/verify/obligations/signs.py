@@ -47,7 +47,7 @@ def size_asked(part: Part) -> str:
 def always_so(solution: Solution) -> Iterator[Obligation]:
     """What the statement says in words, and `always(…)` in the solution as a condition."""
     for each in solution.always:
-        needs = tuple((one,) for one in each.conditions)
+        needs = each.conditions
         yield Obligation(
             "claimed", each.words, each.line, needs, open="" if needs else TRUE_AT_ONCE, tried=False
         )

@@ -12,13 +12,13 @@ from typing import Any
 import numpy as np
 
 from corollary.formula.arithmetics import NotAvailable, ready
-from corollary.formula.ast import Expr, Negative, Relation, Sum, names
+from corollary.formula.ast import Expr, Negative, Relation, Sum, names, opposite
 from corollary.formula.ball import Undefined, evaluate, holds
 from corollary.formula.exact import exactly
 from corollary.formula.rational_pi import RationalPi
 from corollary.problem.interval_filter import INTERVALS, Interval, holding
 from corollary.verify.obligations.box import Box, always_true
-from corollary.verify.obligations.obligation import Clause, opposite
+from corollary.verify.obligations.obligation import Clause
 
 MOST_BOXES = 150_000  # for one relation: a second or so
 BITS = 512  # to see that a formula has a value, which is rarely near to having none
