@@ -57,15 +57,16 @@ class Prediction:
 
 def predictions(name: str, bank: Bank, problem: Problem) -> list[Prediction]:
     solution = solution_of(bank, problem)
+    loaded = loading.load(bank, problem)
     own, tally = make_key(solution, chapter(problem)), Tally()
     walked = walk(bank, solution, tally, VARIANTS)
-    played = [(key, check_scenes(bank, key, tally)) for key in walked.first[: scoring.DRAWS]]
+    played = [(key, check_scenes(loaded, key, tally)) for key in walked.first[: scoring.DRAWS]]
     if tally.complaints:
         return []
-    laws = [id(law) for law, _ in scoring._laws(scoring.load_once(bank, solution))]  # pyright: ignore[reportPrivateUsage]
+    laws = [id(law) for law, _ in scoring._laws(loaded)]  # pyright: ignore[reportPrivateUsage]
     counts = Counter[int]()
     found: list[Prediction] = []
-    for each in scoring._tried(bank, solution, scoring._checks(bank, solution, own, played)):  # pyright: ignore[reportPrivateUsage]
+    for each in scoring._tried(loaded, solution, scoring._checks(loaded, solution, own, played)):  # pyright: ignore[reportPrivateUsage]
         law = laws.index(id(each.law))
         found.append(Prediction(name, problem.code, law, counts[law], each.by, each.bend.text))
         counts[law] += 1

@@ -10,7 +10,7 @@ from tests.derive.conftest import problem_of
 
 from corollary.derive import cache
 from corollary.derive.put_back import put_laws_back
-from corollary.derive.solve import solve
+from corollary.derive.solve import solve, solved_derivation
 from corollary.derive.worked_solution import worked_solution
 from corollary.formula.ball import Undefined
 from corollary.grading.key import make_key
@@ -118,7 +118,9 @@ def test_a_proof_script_has_the_laws_of_every_case(bank):
 
 
 def test_laws_of_both_cases_are_put_back(bank):
-    assert [each.complaint for each in put_laws_back(bank, problem_of(bank))] == [""] * 6
+    assert [each.complaint for each in put_laws_back(solved_derivation(bank, problem_of(bank)).solvers)] == [
+        ""
+    ] * 6
 
 
 def test_the_cache_keeps_the_cases(bank, monkeypatch, tmp_path):

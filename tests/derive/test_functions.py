@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 from tests.derive.conftest import problem_of
 
 from corollary.derive.put_back import put_laws_back
-from corollary.derive.solve import solve
+from corollary.derive.solve import solve, solved_derivation
 from corollary.derive.worked_solution import worked_solution
 from corollary.formula.ball import RationalPi, certified
 from corollary.formula.text import text
@@ -252,7 +252,7 @@ def test_it_verifies_and_the_worked_solution_shows_the_function(make):
     checked = verify(bank, problem, 3)
     assert checked.complaints == ()
     assert checked.checks["dimensions"] == 4 - 1  # of every law, and none of the answer
-    assert [each.complaint for each in put_laws_back(bank, problem)] == [""] * 3
+    assert [each.complaint for each in put_laws_back(solved_derivation(bank, problem).solvers)] == [""] * 3
     solution = solve(bank, problem)
     key = make_key(solution, chapter(problem))
     told = worked_solution(solution, chapter(problem), key.values, {}, ())

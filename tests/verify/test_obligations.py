@@ -248,11 +248,8 @@ return derivation(step(u, "Half.", law("Half", "u = t/2")), step(w, "As fast.", 
 def test_two_steps_on_one_line_have_outcomes_of_their_own(verified, monkeypatch, other):
     put_back = laws.put_laws_back
 
-    def only_at_points(bank, problem):
-        return [
-            replace(each, how="points") if each.names == (other,) else each
-            for each in put_back(bank, problem)
-        ]
+    def only_at_points(solvers):
+        return [replace(each, how="points") if each.names == (other,) else each for each in put_back(solvers)]
 
     monkeypatch.setattr(laws, "put_laws_back", only_at_points)
     found = of_kind(verified(ON_ONE_LINE, problem=RIVER % ""), "laws hold")
@@ -275,10 +272,8 @@ return derivation(cases(case("slow", 2*t <= v, found("u = t/2")), case("fast", 2
 def test_two_cases_on_one_line_have_outcomes_of_their_own(verified, monkeypatch):
     put_back = laws.put_laws_back
 
-    def only_at_points(bank, problem):
-        return [
-            replace(each, how="points") if each.case == "fast" else each for each in put_back(bank, problem)
-        ]
+    def only_at_points(solvers):
+        return [replace(each, how="points") if each.case == "fast" else each for each in put_back(solvers)]
 
     monkeypatch.setattr(laws, "put_laws_back", only_at_points)
     checked = verified(IN_CASES, problem=RIVER % "")

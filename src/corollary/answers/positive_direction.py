@@ -31,21 +31,29 @@ EMPTY = frozenset(NO_CONTENT.split())
 @lru_cache(maxsize=512)  # of a part, each time that an answer to it is read
 def named_positive(*texts: str) -> str:
     """The words that the last of the texts to name a positive direction has for it; "" where none does."""
-    for text in reversed(texts):
-        found = list(NAMED.finditer(EMPHASIS.sub("", " ".join(text.split()))))
-        if found:
-            words = found[-1]["before"] or found[-1]["apposed"] or found[-1]["behind"]
-            return words.strip(" ,").lower()
-    return ""
+    return next((words for text in reversed(texts) if (words := _named(text))), "")
+
+
+# Each is asked of the same few texts for every answer that is judged, and takes milliseconds of a long one.
+@lru_cache(maxsize=256)
+def _named(text: str) -> str:
+    found = list(NAMED.finditer(EMPHASIS.sub("", " ".join(text.split()))))
+    if not found:
+        return ""
+    words = found[-1]["before"] or found[-1]["apposed"] or found[-1]["behind"]
+    return words.strip(" ,").lower()
 
 
 @lru_cache(maxsize=512)
 def angle_reference(*texts: str) -> str:
     """`vertical` or `horizontal`, from which the last of the texts to say so counts an angle; "" where none does."""
-    for text in reversed(texts):
-        if found := list(REFERENCE_LINE.finditer(EMPHASIS.sub("", text))):
-            return line_of(found[-1])
-    return ""
+    return next((line for text in reversed(texts) if (line := _reference(text))), "")
+
+
+@lru_cache(maxsize=256)
+def _reference(text: str) -> str:
+    found = list(REFERENCE_LINE.finditer(EMPHASIS.sub("", text)))
+    return line_of(found[-1]) if found else ""
 
 
 def line_of(found: re.Match[str]) -> str:

@@ -68,6 +68,16 @@ def at(expression: object, where: Point) -> Any:
     return substitute(sympy.sympify(expression), where.values).evalf(DIGITS)
 
 
+def with_values(where: Point, root: Root, numbers: Mapping[sympy.Symbol, Any]) -> Point:
+    """The point with the letters of a root, too; `numbers` are their values to 30 digits."""
+    balls = dict(where.balls)
+    for symbol, value in root.items():
+        formula = _tree(value)
+        if formula is not None and (ball := _ball(formula, where, 2 * BITS)) is not None:
+            balls[symbol.name] = ball
+    return replace(where, values={**where.values, **numbers}, balls=balls)
+
+
 @dataclass(frozen=True, slots=True)
 class FoundFunction:
     """A function found: its formula in its own letter, in givens and in unknowns.

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import combinations, product
 
 import sympy
@@ -171,6 +172,8 @@ class Search:
             return _simplified(trees)
         if given in need or len(need) > len(before) + 1:
             return None
+        if not self.tried.may_be_in_proportion(trees, earlier):  # no algebra makes it so
+            return None
         short = _simplified(trees)
         return short if short and _is_proportional(short, self.solution.unknowns[place].names) else None
 
@@ -203,6 +206,7 @@ def _nodes(tree: Expr) -> int:
     return sum(1 for _node in walk(tree))
 
 
+@lru_cache(maxsize=1024)  # several ways lead to one formula
 def _simplified(trees: Trees) -> Trees | None:
     """The formulas as short as they can be written; None where that is still long."""
     letters = {name: sympy.Symbol(name, real=True) for tree in trees for name in names(tree) if name != "pi"}

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -14,13 +14,10 @@ from corollary.derive.claims import unfulfilled
 from corollary.derive.derivation import Asserted
 from corollary.derive.functions import is_differential, letters_in, put_back
 from corollary.derive.known import Known
-from corollary.derive.load import load
 from corollary.derive.sampled import NO_NUMBERS, Equality, How, compared, holds, identical
-from corollary.derive.solve import Solver, solvers
+from corollary.derive.solve import Solver
 from corollary.derive.statements import Confirm, Neglected, Step
 from corollary.laws.law import Law, sides, symbols
-from corollary.problem.bank import Bank
-from corollary.problem.problem import Problem
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,13 +37,9 @@ class PutBack:
     case: str = ""
 
 
-def put_laws_back(bank: Bank, problem: Problem) -> list[PutBack]:
-    """Every law and every claim of a derivation, those of each case. Raises NotDerivable."""
-    found: list[PutBack] = []
-    for solver in solvers(problem, load(bank, problem)):
-        solver.solution()
-        found += (replace(each, case=solver.case) for each in _put_back(solver))
-    return found
+def put_laws_back(solvers: Iterable[Solver]) -> list[PutBack]:
+    """Every law and every claim of a derivation, those of each case, by the solvers that have found what is put in."""
+    return [replace(each, case=solver.case) for solver in solvers for each in _put_back(solver)]
 
 
 def _put_back(solver: Solver) -> Iterator[PutBack]:

@@ -11,8 +11,9 @@ from typing import Any
 
 import sympy
 
+from corollary.derive.cubic import degree_in, real_roots
 from corollary.derive.functions import Pair, eliminated, functions_in
-from corollary.derive.known import FoundFunction, Known, Point, Root, at
+from corollary.derive.known import FoundFunction, Known, Point, Root, at, with_values
 from corollary.derive.statements import Exchange, Mistake, Rejected, Sentence
 from corollary.formula.ast import Name, Relation
 from corollary.formula.from_sympy import NoTree, relation, tree
@@ -54,10 +55,10 @@ def roots(
         if strange := symbols(stated) - letters - set(unknowns):
             raise NoRoot(f"{stated.name}: {_list(strange)} is neither given nor found before")
     pairs, functions = eliminated(laws, unknowns, known)
-    return _roots(pairs, unknowns), functions
+    return _roots(pairs, unknowns, known), functions
 
 
-def _roots(pairs: Sequence[Pair], unknowns: Sequence[sympy.Symbol]) -> list[Root]:
+def _roots(pairs: Sequence[Pair], unknowns: Sequence[sympy.Symbol], known: Known) -> list[Root]:
     equations = [left - right for left, right in pairs]
     live = [equation for equation in equations if sympy.expand(equation) != 0]
     try:
@@ -68,6 +69,11 @@ def _roots(pairs: Sequence[Pair], unknowns: Sequence[sympy.Symbol]) -> list[Root
         raise NoRoot(
             f"these laws cannot be solved for {_list(unknowns)} in a formula; find one letter after the other"
         ) from None
+    if not found and len(live) == len(unknowns) == 1 and (degree := degree_in(live[0], unknowns[0])) > 4:
+        raise NoRoot(
+            f"{unknowns[0]} is a root of degree {degree}, for which there is no formula; "
+            "give another letter as a given and find this one's partner from it, or measure it with simulated(…)"
+        )
     if not found:
         raise NoRoot(
             f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: no {_list(unknowns)} satisfies them all"
@@ -82,6 +88,8 @@ def _roots(pairs: Sequence[Pair], unknowns: Sequence[sympy.Symbol]) -> list[Root
             raise NoRoot(
                 f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: {_list(free)} stays free"
             )
+    if len(live) == len(unknowns) == 1 and any(root[unknowns[0]].has(sympy.I) for root in found):
+        return real_roots(live[0], unknowns[0], known.points) or found
     return found
 
 
@@ -154,6 +162,11 @@ def pick(
         raise NoRoot(
             f"{len(fitting)} answers ({'; '.join(_equations(root) for root in fitting)}): say which, with where= or reject="
         )
+    if any(value.has(sympy.I) for value in fitting[0].values()):
+        raise NoRoot(
+            f"{_equations(fitting[0])} is real, but its formula has complex numbers on its way: state the root in another form "
+            "(in cosines) as a law of the step, and the equation itself in confirm(…)"
+        )
     others = [root for root in found if root is not fitting[0] and not any(root is each for each in worded)]
     return Picked(fitting[0], tuple(refused), tuple(worded), tuple(others))
 
@@ -190,27 +203,30 @@ def _real(root: Root, point: Point) -> bool:
 
 
 def _holds(where: sympy.Basic, root: Root, point: Point) -> bool:
-    numbers = {symbol: at(value, point) for symbol, value in root.items()}
+    # of a real root by a way through complex numbers rounding leaves an imaginary part
+    numbers = {symbol: sympy.re(at(value, point)) for symbol, value in root.items()}
+    there = with_values(point, root, numbers)
     truths = {
-        relational: _equal_allowed(relational)
+        relational: truth
         for relational in where.atoms(sympy.core.relational.Relational)
-        if _equal(relational, root, numbers, point)
+        if (truth := _truth(relational, root, there)) is not None
     }
-    return _decided(substitute(substitute(where.xreplace(truths), numbers), point.values), f"where={where}")
+    rest = where.xreplace(truths)
+    return _decided(substitute(substitute(rest, numbers), point.values), f"where={where}")
 
 
-def _equal_allowed(relational: Any) -> sympy.Basic:
-    """The truth of a relation between equal sides."""
+def _truth(relational: Any, root: Root, there: Point) -> sympy.Basic | None:
+    """The truth of a relation of numbers; None where a side is none."""
+    left, right = (at(side, there) for side in relational.args)
+    if not (left.is_number and right.is_number and left.is_real and right.is_real):
+        return None
+    if abs(left - right) > EDGE * max(1, abs(left), abs(right)):
+        return relational.func(left, right)
+    # at the end of an arc cosine's range 30 digits alone may fall on either side of it
+    gap = substitute(substitute(relational.lhs - relational.rhs, dict(root)), there.values)
+    if sympy.simplify(gap) != 0:
+        return None
     return sympy.true if isinstance(relational, sympy.Eq | sympy.Le | sympy.Ge) else sympy.false
-
-
-def _equal(relational: Any, root: Root, numbers: dict[sympy.Symbol, Any], point: Point) -> bool:
-    """True where both sides are the same, as at the end of an arc cosine's range: 30 digits alone may fall on either side of it."""
-    left, right = (substitute(substitute(side, numbers), point.values).evalf() for side in relational.args)
-    if not (left.is_number and right.is_number) or abs(left - right) > EDGE * max(1, abs(left), abs(right)):
-        return False
-    gap = substitute(substitute(relational.lhs - relational.rhs, dict(root)), point.values)
-    return bool(sympy.simplify(gap) == 0)
 
 
 def _decided(fits: sympy.Basic | bool, what: str) -> bool:

@@ -4,7 +4,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import sympy
 from sympy.logic.boolalg import Boolean
@@ -58,9 +59,29 @@ from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 
 
+@dataclass(frozen=True, slots=True)
+class SolvedDerivation:
+    """A derivation as it is stated and as it is solved, with the solver of each case, into whose laws the answers can be put back."""
+
+    loaded: Loaded
+    solvers: tuple[Solver, ...]
+    solution: Solution
+
+
 def solve(bank: Bank, problem: Problem) -> Solution:
     """Everything that is true of a problem. Raises NotDerivable with file, line and what to do."""
-    solved = [(solver, with_paths(solver.solution())) for solver in solvers(problem, load(bank, problem))]
+    return solved_derivation(bank, problem).solution
+
+
+def solved_derivation(bank: Bank, problem: Problem) -> SolvedDerivation:
+    """The same with what it was found from. Raises NotDerivable."""
+    loaded = load(bank, problem)
+    found = tuple(solvers(problem, loaded))
+    return SolvedDerivation(loaded, found, _of_all_cases(found))
+
+
+def _of_all_cases(found: Sequence[Solver]) -> Solution:
+    solved = [(solver, with_paths(solver.solution())) for solver in found]
     if len(solved) == 1:
         return solved[0][1]
     regimes = tuple(

@@ -17,6 +17,7 @@ POINTS = 4  # variants: the chapter's numbers and three more
 # one way may leave a root without a value, and only the last tells an angle in its quadrant from one between -90° and 90°
 BENT = ((1.031, 0.983, 1.057, 0.961), (0.967, 1.021, 0.949, 1.043), (-1.1, 0.8, 1.2, 0.7))
 ALIKE = 1e-9
+FAR = 1e-6  # relative: what is so far apart is not the same
 Signature = tuple[tuple[float, ...] | None, ...]
 
 
@@ -82,6 +83,23 @@ class Tried:
                 factor = 1.0 if part == straight else BENT[turn][(place + index) % len(BENT[turn])]
                 letters[name] = value * factor if value else (factor - 1.0) * size
         return letters
+
+    def may_be_in_proportion(self, trees: Collection[Expr], earlier: str) -> bool:
+        """False where formulas are seen not to double with the one number that answers an earlier part."""
+        if len(self.letters[earlier]) != 1:
+            return False
+        (letter,) = self.letters[earlier]
+        for spot in self.spots:
+            if letter not in spot.found:
+                continue
+            once, twice = (
+                at(trees, spot.givens | exact({letter: factor * spot.found[letter]})) for factor in (1.0, 2.0)
+            )
+            if once is None or twice is None:
+                continue
+            if any(abs(b - 2 * a) > FAR * (abs(a) + abs(b)) for a, b in zip(once, twice, strict=True)):
+                return False
+        return True
 
     def needs(self, trees: Collection[Expr], earlier: Collection[str]) -> frozenset[str]:
         """The givens on which the formulas really depend."""

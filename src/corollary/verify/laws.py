@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from corollary.derive.put_back import put_laws_back
 from corollary.derive.solution import Solution
+from corollary.derive.solve import SolvedDerivation
 from corollary.formula.ast import Expr, Relation, names
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.operators import measured
@@ -18,9 +19,9 @@ from corollary.verify.checked import Tally
 DRAWS = 100
 
 
-def check_laws(bank: Bank, solution: Solution, tally: Tally) -> None:
+def check_laws(solved: SolvedDerivation, tally: Tally) -> None:
     """Every equation holds with all that was found put in: by algebra, or at the sample points where that does not see it."""
-    tally.put_back = put_laws_back(bank, solution.problem)
+    tally.put_back = put_laws_back(solved.solvers)
     tally.count(
         "laws put back", sum(not each.complaint and each.how != "simulated" for each in tally.put_back)
     )

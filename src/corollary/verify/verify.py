@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from corollary.derive.load import NotDerivable, place_in
-from corollary.derive.solve import solve
+from corollary.derive.solve import solved_derivation
 from corollary.figure.svg import NotADrawing, safe_svg
 from corollary.formula.ball import Undefined
 from corollary.grading.key import make_key
@@ -68,7 +68,8 @@ class Verification:
         check_figure(problem, tally)
         check_words(problem, tally)
         try:
-            solution = solve(bank, problem)
+            solved = solved_derivation(bank, problem)
+            solution = solved.solution
             tally.count("parts", len(problem.parts))
             tally.count("mistakes", sum(len(find.mistakes) for find in solution.unknowns))
             check_dimensions(bank, solution, tally)
@@ -88,7 +89,7 @@ class Verification:
                 yield stage
                 match stage:
                     case "laws put back":
-                        check_laws(bank, solution, tally)
+                        check_laws(solved, tally)
                         check_claims(own, tally)
                     case "obligations":
                         check_obligations(bank, solution, tally, self.count)
@@ -96,10 +97,10 @@ class Verification:
                         self.walked = walk(bank, solution, tally, self.count)
                         check_question(solution, own, tally)
                     case "scenes":
-                        played = [(key, check_scenes(bank, key, tally)) for key in self.walked.first]
+                        played = [(key, check_scenes(solved.loaded, key, tally)) for key in self.walked.first]
                     case "bent laws":
                         if not tally.complaints:  # of a key that is wrong already no bend says anything
-                            tally.mutation = score(bank, solution, own, played[:DRAWS])
+                            tally.mutation = score(solved.loaded, solution, own, played[:DRAWS])
                             tally.count("bent laws", tally.mutation.bends)
                     case _:
                         check_programs(bank, own, tally, self.runner)

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Right, word
-from corollary.derive.simulation import Seen, Simulation, simulations
+from corollary.derive.load import Loaded
+from corollary.derive.simulation import Seen, Simulation, simulations_of
 from corollary.derive.solution import Solution
 from corollary.formula.text import text
 from corollary.formula.value import Items, Real, Text, Value
@@ -138,17 +139,16 @@ def check_neglected(bank: Bank, key: Key, tally: Tally) -> None:
             )
 
 
-def check_scenes(bank: Bank, key: Key, tally: Tally) -> list[tuple[Simulation, Run]]:
+def check_scenes(loaded: Loaded, key: Key, tally: Tally) -> list[tuple[Simulation, Run]]:
     """Newton's second law, simulated, meets the algebra within the run's own error and what the scene neglects. Each run that there was."""
     found: list[tuple[Simulation, Run]] = []
     answers: dict[str, Seen] = {
         part: truth.values[0] if len(truth.values) == 1 else truth.values
         for part, truth in key.truths.items()
     }
-    path = bank.solution(key.variant.problem)
-    for wanted in simulations(bank, key.variant, answers, neglected_in(key)):
+    for wanted in simulations_of(loaded, key.variant, answers, neglected_in(key)):
         run_of = check_scene(
-            wanted, f"{path.name}:{wanted.line}: scene {wanted.name} on {key.variant.label}", tally
+            wanted, f"{loaded.path.name}:{wanted.line}: scene {wanted.name} on {key.variant.label}", tally
         )
         if run_of is not None:
             found.append((wanted, run_of))

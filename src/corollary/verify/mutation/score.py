@@ -10,7 +10,7 @@ from itertools import islice
 
 from corollary.derive.again import SolvedAgain, differential
 from corollary.derive.applied import applied
-from corollary.derive.load import Loaded, load
+from corollary.derive.load import Loaded
 from corollary.derive.simulation import Simulation
 from corollary.derive.solution import Solution
 from corollary.derive.solve import solvers
@@ -23,7 +23,6 @@ from corollary.formula.from_sympy import NoTree
 from corollary.formula.operators import measured
 from corollary.grading.key import Key, make_key
 from corollary.laws.law import Law
-from corollary.problem.bank import Bank
 from corollary.problem.sampling import sample
 from corollary.scenes.run import Run
 from corollary.units.dimensional_analysis import Dimension, dimension_of
@@ -51,14 +50,14 @@ class BentLaw:
     laws: Laws
 
 
-def score(bank: Bank, solution: Solution, own: Key, played: Played) -> MutationScore:
+def score(loaded: Loaded, solution: Solution, own: Key, played: Played) -> MutationScore:
     """The score of a problem whose derivation is solved; `own` is the key of the printed numbers, `played` has the keys of draws
     with the scenes that were run for them."""
-    checks = _checks(bank, solution, own, played)
-    every = list(_tried(bank, solution, checks))
+    checks = _checks(loaded, solution, own, played)
+    every = list(_tried(loaded, solution, checks))
     counted = [each for each in every if each.by not in ("same", "undecided")]
     by = Counter(each.by for each in counted if each.by)
-    file = bank.solution(solution.problem).name
+    file = loaded.path.name
     unnoticed = [each for each in counted if not each.by]
     proposal, caught = proposed(checks, [each.laws for each in unnoticed])
     return MutationScore(
@@ -77,9 +76,9 @@ def score(bank: Bank, solution: Solution, own: Key, played: Played) -> MutationS
     )
 
 
-def _tried(bank: Bank, solution: Solution, checks: Sequence[Checks]) -> Iterator[BentLaw]:
+def _tried(loaded: Loaded, solution: Solution, checks: Sequence[Checks]) -> Iterator[BentLaw]:
     dimensions = _dimensions(solution)
-    for law, line in _laws(load_once(bank, solution)):
+    for law, line in _laws(loaded):
         for bend in filter(writable, bends(law)):
             here = applied(bend.law).here
             laws = {id(law): Replacement(bend.law, here)}
@@ -113,18 +112,6 @@ def _noticed(checks: Sequence[Checks], laws: Laws) -> str:
     return "same" if all(each is None for each in found) else ""
 
 
-_LOADED: dict[int, tuple[Solution, Loaded]] = {}
-
-
-def load_once(bank: Bank, solution: Solution) -> Loaded:
-    """The derivation as it is stated; the laws in it are told apart by their identity, so that it is loaded once."""
-    known = _LOADED.get(id(solution))
-    if known is None or known[0] is not solution:
-        _LOADED.clear()
-        _LOADED[id(solution)] = known = (solution, load(bank, solution.problem))
-    return known[1]
-
-
 def _laws(loaded: Loaded) -> Iterator[tuple[Law, int]]:
     """Each law of a step once, with the line of the first step in which it stands."""
     seen: set[int] = set()
@@ -136,9 +123,8 @@ def _laws(loaded: Loaded) -> Iterator[tuple[Law, int]]:
                     yield law, entry.statement.line
 
 
-def _checks(bank: Bank, solution: Solution, own: Key, played: Played) -> list[Checks]:
+def _checks(loaded: Loaded, solution: Solution, own: Key, played: Played) -> list[Checks]:
     """The checks of each case for which a spot is known."""
-    loaded = load_once(bank, solution)
     cases = [(each.solution, each.place) for each in solution.regimes] or [(solution, 0)]
     found: list[Checks] = []
     for one, place in cases:
