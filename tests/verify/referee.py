@@ -13,11 +13,11 @@ from typing import Any
 from flint import arb, ctx, fmpq
 
 from corollary.formula.ast import Relation as AST
-from corollary.formula.ast import substitute
+from corollary.formula.ast import opposite, substitute
 from corollary.formula.syntax import author_formula
 from corollary.problem.reader import read_problem
 from corollary.verify.obligations.box import Box
-from corollary.verify.obligations.obligation import Equations, Obligation, Settled, opposite
+from corollary.verify.obligations.obligation import Equations, Obligation, Settled
 from corollary.verify.obligations.settle import Settling
 
 BITS = 320
