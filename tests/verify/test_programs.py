@@ -61,6 +61,11 @@ def divides(given, called):
 
 def leaves(given, called):
     sys.exit(3)
+
+
+def turns(given, called):
+    while True:
+        pass
 """
 PROGRAM = "def momentum(v):\n    return 2 * v\n"
 FIGURE = "v = np.linspace(0, 1, 9)\nplt.plot(v, {m} * v)"
@@ -166,6 +171,12 @@ def test_what_is_amiss_is_said_with_file_and_line(checked, change, said):
 def test_a_judge_that_fails_is_named_with_file_and_line(checked, change, said):
     complaints = checked(**change).complaints
     assert any(each.startswith(said) for each in complaints), complaints
+
+
+def test_a_judge_that_does_not_end_is_said(checked, monkeypatch):
+    monkeypatch.setattr("corollary.grading.judge.LONGEST", 0.3)
+    complaints = checked(judge='module("cart/judge_cart.py").turns').complaints
+    assert complaints == ["cart.py:18: the judge fails: it took longer than 0.3 s (part a)"]
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Generator
 from contextlib import contextmanager, nullcontext
+from pathlib import Path
 
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Mistaken, Right, Verdict, Wrong, described
@@ -12,6 +13,7 @@ from corollary.grading.judge import judge
 from corollary.grading.key import Key
 from corollary.grading.programs.judge import code_of, plot_of
 from corollary.grading.run_programs import ran
+from corollary.guard import collecting
 from corollary.problem.bank import Bank
 from corollary.problem.part import Part
 from corollary.sandbox.runner import Runner
@@ -50,21 +52,24 @@ def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = N
         with Runner() if runner is None else nullcontext(runner) as runner:
             for part in parts:
                 try:
-                    _check_part(runner, key, part, f"{path.name}:{_line(key, part)}: part {part.id}", tally)
+                    _check_part(runner, key, part, path, tally)
                 except NotDerivable as error:  # of its inputs or its judge
                     tally.complain(f"{error} (part {part.id})")
     except CannotStart as error:
         tally.complain(f"{path.name}: its programs could not be run: {error}")
 
 
-def _check_part(runner: Runner, key: Key, part: Part, where: str, tally: Tally) -> None:
+def _check_part(runner: Runner, key: Key, part: Part, path: Path, tally: Tally) -> None:
     """Raises NotDerivable where what the solution brings fails."""
+    where = f"{path.name}:{_line(key, part)}: part {part.id}"
     for name, verdict in zip(
-        part.answer_types, _verdicts(runner, key, part, example(key, part)), strict=True
+        part.answer_types, _verdicts(runner, key, part, path, example(key, part)), strict=True
     ):
         if not tally.check(isinstance(verdict, Right), "programs run"):
             tally.complain(f"{where}: the example's {name} should be right and is {described(verdict)}")
-    for name, verdict in zip(part.answer_types, _verdicts(runner, key, part, bent(key, part)), strict=True):
+    for name, verdict in zip(
+        part.answer_types, _verdicts(runner, key, part, path, bent(key, part)), strict=True
+    ):
         if not tally.check(isinstance(verdict, Wrong | Mistaken), "programs run"):
             function = answer_type(name).found_in == "function"
             what = "the example with its numbers bent" if function else "a figure with nothing in it"
@@ -95,9 +100,13 @@ def _program(key: Key, part: Part) -> str:
     return code.example.strip() if code is not None else ""
 
 
-def _verdicts(runner: Runner, key: Key, part: Part, source: str) -> tuple[Verdict, ...]:
+def _verdicts(runner: Runner, key: Key, part: Part, path: Path, source: str) -> tuple[Verdict, ...]:
     run = ran(runner, key, part.id, source)
-    return judge(key, {}, {part.id: run}, passing=(NotDerivable,))[part.id][0]
+    with collecting() as failures:
+        verdicts = judge(key, {}, {part.id: run}, passing=(NotDerivable,))[part.id][0]
+    if failures:  # it takes too long, or is no judge at all
+        raise NotDerivable(path, _line(key, part), f"the judge fails: {failures[0].what}")
+    return verdicts
 
 
 def _line(key: Key, part: Part) -> int:
