@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from corollary.answers.direction import DIRECTED, SIZE
 from corollary.answers.expected import Values
 from corollary.messages import N_, catalogue
 from corollary.units.unit import ONE, Dimension, Unit
@@ -25,30 +26,18 @@ SIGN_AND_CONSTANT = N_("the sign and a constant factor are wrong")
 ROOT = N_("a constant factor is wrong: look at what stands under a root")
 SPEEDS = N_("km/h and m/s have been mixed.")
 ENERGY = Dimension.of("kg m^2 s^-2")
-DIRECTED = {
+WITH_DIRECTION = DIRECTED | {
     ENERGY,
     *map(
         Dimension.of,
-        (
-            "m",
-            "m s^-1",
-            "m s^-2",
-            "kg m s^-1",
-            "kg m s^-2",
-            "kg m^2 s^-1",
-            "s^-1",
-            "s^-2",
-            "A",
-            "kg m s^-3 A^-1",
-            "kg s^-2 A^-1",
-        ),
+        ("m", "kg m^2 s^-1", "s^-1", "s^-2", "A", "kg m s^-3 A^-1", "kg s^-2 A^-1"),
     ),
 }
 """What may have a direction along a line or about an axis; an energy has none, a torque has."""
 TORQUE = re.compile(r"N\W?m|m\W?N")
-MAGNITUDE = re.compile(
-    r"\b(?:speeds?|how (?:fast|large|big|great|strong|far|high|long|deep)|magnitude|size|distance|length|height|radius|frequency|rate"
-    r"|tempo|schnell\w*|betrag|abstand|länge|höhe|frequenz|fart|avstand|lengde|høyde|frekvens)\b",
+EXTENT = re.compile(
+    r"\b(?:how (?:far|high|long|deep)|distance|length|height|radius|frequency|rate"
+    r"|abstand|länge|höhe|frequenz|avstand|lengde|høyde|frekvens)\b",
     re.IGNORECASE,
 )
 
@@ -108,11 +97,11 @@ RATIOS = (
 def has_direction(unit: Unit, title: str = "") -> bool:
     """True if a sign says which way: of a velocity or a force, not of an energy, a mass, a ratio, nor where the `title` asks for a
     speed or a magnitude."""
-    if MAGNITUDE.search(title):
+    if SIZE.search(title) or EXTENT.search(title):
         return False
     if unit.dimension == ENERGY:
         return TORQUE.search(unit.text) is not None
-    return unit.dimension in DIRECTED or (unit.dimension == ONE and unit.text in {"rad", "deg"})
+    return unit.dimension in WITH_DIRECTION or (unit.dimension == ONE and unit.text in {"rad", "deg"})
 
 
 def slips(values: Values, unit: Unit, title: str = "") -> Iterator[tuple[Values, str]]:

@@ -67,7 +67,10 @@ TWO_WAYS = re.compile(  # `(positive, up)`
     rf"[\s,;(]+(?:to the |in the )?(?P<way>{WAYS})(?:[ -]direction)?\s*(?:[,;/]|\band\b|\bi\.?e\.?,?|=|\()\s*(?:so |that is,? )?(?:to the )?(?P<other>{WAYS})\s*\)*\.?\s*$",
     re.IGNORECASE,
 )
-SIZE = re.compile(r"\b(?:speed|magnitude|how fast|how large|Betrag|Tempo|fart|størrelse)\b", re.IGNORECASE)
+SIZE = re.compile(
+    r"\b(?:speeds?|magnitude|size|how (?:fast|large|big|great|strong)|schnell\w*|betrag|tempo|fart|størrelse)\b",
+    re.IGNORECASE,
+)
 REFERENCE_BEHIND = re.compile(
     rf"[\s,;(]+(?:measured |counted )?{REFERENCE_LINE.pattern}\)?\.?\s*$", re.IGNORECASE
 )

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from corollary.answers import trace
 from corollary.answers.left_side import SYMBOL
 from corollary.answers.number_words import NUMBERS
-from corollary.answers.remark import DENIED
+from corollary.answers.remark import BECAUSE, DENIED
 from corollary.answers.sign_words import SIGNS
 
 QUOTES = "\"'“”„‟«»‹›`*_"  # also those of Markdown
@@ -75,7 +75,7 @@ GRAVITY = re.compile(
 
 # `86 N because F = ma`: a clause that gives the reason, unless it takes the number back or speaks of a sign.
 REASON = re.compile(
-    r"(?<=[^\W_]|[²³)°%½])[\s,;]+(?:because|since|due to|weil|fordi)\b(?P<why>.*)$",
+    rf"(?<=[^\W_]|[²³)°%½])[\s,;]+(?:{BECAUSE})\b(?P<why>.*)$",
     re.IGNORECASE | re.DOTALL,
 )
 OF_A_SIGN = re.compile(

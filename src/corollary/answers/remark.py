@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 
 WORDS = r"[^0-9=<>≤≥]"
+BECAUSE = "because|since|due to|weil|fordi"  # lead the reason of any answer
 LEADS = (
     "on in at when while just right before after including incl excluding without with because since due for from by which that and so as "
     "above over below higher im bei beim mit ohne nach vor als wenn gegen i med uten etter før mot når"

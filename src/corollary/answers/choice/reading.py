@@ -11,6 +11,7 @@ from corollary.answers.answer_type import AnswerType
 from corollary.answers.choice.option_text import folded, normal_form
 from corollary.answers.numbers import PLACEHOLDERS, turned_away
 from corollary.answers.question import Question
+from corollary.answers.remark import BECAUSE
 from corollary.formula.by_hand import by_hand
 from corollary.formula.numerals import TO_ASCII
 from corollary.formula.value import Items, Nothing, Refused, Text, Value
@@ -23,7 +24,7 @@ AROUND = r"[\s()\[\].:;,!*_\"'“”„‘’`$]*"
 LEAD = r"(?:i (?:think|choose|chose|pick|believe|say) |it is |it's |it must be |my )?(?:the )?"
 NAMED = r"(?:option|answer|choice|alternative|letter|svar|alternativ|antwort|lösung)(?: is)?"
 HOLDS = r"(?:is|ist|er) (?:the )?(?:correct|right|true|richtig|korrekt|riktig|rett|sann)(?: (?:one|answer|option|choice))?"
-REASON = r"because|since|as|weil|da|denn|fordi|siden"
+REASON = rf"{BECAUSE}|as|da|denn|siden"
 LETTER = re.compile(
     rf"{AROUND}(?:{LEAD}(?:{NAMED}{AROUND})?)?(?P<letter>[A-Za-z]){AROUND}(?:{HOLDS}{AROUND})?",
     re.IGNORECASE,
