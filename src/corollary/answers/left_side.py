@@ -8,7 +8,6 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from itertools import product
 
 from corollary.answers.question import Question
 from corollary.formula.abbreviations import function_words
@@ -146,10 +145,8 @@ def gives_what_is_asked(side: str, expected: Dimension, question: Question | Non
         return False
     if isinstance(tree, Quotient) and expected == ONE and len({_base(name) for name in used}) == 1:
         return True  # K_B/K_A
-    return any(
-        dimension_of(tree, {**dict(zip(used, each, strict=True)), **givens}) == expected
-        for each in product(*(_customary(name) for name in used))
-    )
+    customary = {name: _dimensions()[base] for name in used if (base := _base(name)) in CUSTOMARY}
+    return len(customary) == len(used) and dimension_of(tree, {**customary, **givens}) == expected
 
 
 def _letters_in(side: str, givens: Mapping[str, Dimension]) -> Collection[str]:
@@ -173,10 +170,6 @@ def _base(name: str) -> str:
         (word for word in sorted(set(GREEK.values()), key=len, reverse=True) if name.startswith(word)),
         name[:1],
     )
-
-
-def _customary(name: str) -> tuple[Dimension, ...]:
-    return (_dimensions()[base],) if (base := _base(name)) in CUSTOMARY else ()
 
 
 @cache

@@ -95,12 +95,40 @@ def read_quantity(text: str, expected: Unit | None, question: Question | None = 
     """
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
+    typed = _rewrite(text)
+    normalized, skipped, sides = answer_in(
+        typed.translate(TO_ASCII)
+    )  # split_remark, strip_preamble, solve_left_side
+    rewritten = text != typed
+    if (doubt := _doubtful(typed, normalized)) is not None:
+        return _placed(doubt, skipped, rewritten=rewritten)
+    normalized, spread = _split_uncertainty(normalized)
+    found = _parse(text, normalized, expected)
+    if isinstance(found, ParseError):
+        if found.status == "refused" and TWO_ANSWERS.search(typed):
+            return refused(_("these are two answers"), None, _("write the one that you mean"))
+        return _placed(found, skipped, rewritten=rewritten)
+    if sides:
+        with trace.silent():
+            beside = _beside_sides(sides, found, expected, question)
+        if isinstance(beside, ParseError):
+            return beside
+        found = replace(found, beside=beside)
+    return _with_spread(found, spread) if spread else found
+
+
+def _rewrite(text: str) -> str:
+    """Stage `rewrite`: TeX, signs of other alphabets, and motion in words, as a keyboard has them."""
     typed = motion_in_number(by_hand(text))
     if typed != text:
         trace.took("rewrite", text, typed)
-    normalized, skipped, sides = answer_in(typed.translate(TO_ASCII))
+    return typed
+
+
+def _doubtful(typed: str, normalized: str) -> ParseError | None:
+    """What is asked about or refused before a number is looked for: `65.0(5)`, a table, `3x108`, `0x10`."""
     if asked := in_brackets(normalized):
-        return _placed(asked, skipped, rewritten=text != typed)
+        return asked
     if TABLE.search(typed):
         return refused(_("a table is not read here"), None, _("write one number and a unit"))
     if (lost := LOST_POWER.search(typed)) is not None:
@@ -112,31 +140,34 @@ def read_quantity(text: str, expected: Unit | None, question: Question | None = 
         why = _("{text} can be a power of ten or a product", text=lost[0].strip())
         return ParseError("asked", why, None, _("write {choices}", choices=_(" or ").join(choices)), choices)
     if HEXADECIMAL.search(normalized):
-        return refused(
-            _("{text} is no decimal number", text=normalized.strip()),
-            skipped,
-            _("write one number and a unit"),
-        )
-    normalized, spread = without_spread(normalized)
+        why = _("{text} is no decimal number", text=normalized.strip())
+        return refused(why, 0, _("write one number and a unit"))
+    return None
+
+
+def _split_uncertainty(normalized: str) -> tuple[str, str]:
+    """Stage `split_uncertainty`: the value, and the uncertainty with its unit."""
+    value, spread = without_spread(normalized)
     if spread:
-        trace.took("split_uncertainty", spread, normalized)
+        trace.took("split_uncertainty", spread, value)
+    return value, spread
+
+
+def _parse(text: str, normalized: str, expected: Unit | None) -> Reading | ParseError:
+    """Stages `parse_number` and `parse_unit`, of a number before a unit, or of a calculation as a whole."""
     with trace.silent():
         found = _alone(text, normalized, expected)
-    if isinstance(found, ParseError):
-        if found.status == "refused" and TWO_ANSWERS.search(typed):
-            return refused(_("these are two answers"), None, _("write the one that you mean"))
-        return _placed(found, skipped, rewritten=text != typed)
-    _note(normalized, found)
-    if sides:
-        with trace.silent():
-            beside = _beside_sides(sides, found, expected, question)
-        if isinstance(beside, ParseError):
-            return beside
-        found = replace(found, beside=beside)
-    if spread and not _is_small(spread, found):
+    if isinstance(found, Reading):
+        _note(normalized, found)
+    return found
+
+
+def _with_spread(found: Reading, spread: str) -> Reading | ParseError:
+    """The value with its uncertainty beside it, as it is shown; refused where that is too wide."""
+    if not _is_small(spread, found):
         why = _("an uncertainty of more than a tenth leaves the value open")
         return refused(why, None, _("write one number and a unit"))
-    return replace(found, as_read=f"{found.as_read} ± {spread.strip()}") if spread else found
+    return replace(found, as_read=f"{found.as_read} ± {spread.strip()}")
 
 
 def _note(normalized: str, found: Reading) -> None:
