@@ -1,1 +1,1 @@
-"""The trade between speed and accuracy, measured: every method on every scene, every arithmetic on every closed form."""
+"""The work-precision study of the trade between speed and accuracy; the race on the chapter's scenes is `corollary.trade`."""

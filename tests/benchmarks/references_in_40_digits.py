@@ -1,7 +1,7 @@
 """Reference answers of the trade's scenes in 40 digits, by methods that share nothing with the package.
 
 Integrals of the energy by tanh-sinh quadrature between turning points, and the damped contact by Taylor series of order 50 in
-the root of the overlap. Run as a script it prints the table that `benchmarks/trade/references.py` holds. The cradles come from
+the root of the overlap. Run as a script it prints the table that `corollary/trade/references.py` holds. The cradles come from
 `tests/scenes/cradle_in_30_digits.py`.
 """
 

@@ -4,9 +4,9 @@ import math
 from itertools import pairwise
 
 import pytest
-from trade.methods import METHODS
 
 from corollary.grading.programs.fixed_step import march
+from corollary.trade.methods import METHODS
 
 
 def pendulum(x, v):

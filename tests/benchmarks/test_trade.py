@@ -8,18 +8,17 @@ import runpy
 from pathlib import Path
 
 import pytest
-from trade import references, solvers, spheres, taylor
-from trade.case import Answer, error_of
-from trade.measures import Order, cheapest, fitted, frontier, lies_beyond, orders, reaching
-from trade.phases import through
-from trade.race import Timing, WorkPrecision, cases, race
-from trade.record import record
 
 from corollary.grading.programs.fixed_step import RK4
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.models.pair import meet
+from corollary.trade import colliding_spheres, references, solvers
+from corollary.trade.contact_phases import through
+from corollary.trade.measures import Order, cheapest, fitted, frontier, lies_beyond, orders, reaching, record
+from corollary.trade.race import Timing, WorkPrecision, cases, race
+from corollary.trade.raced_scene import MethodAnswer, error_of
 
 HERE = Path(__file__).parent
 TABLE = {
@@ -64,8 +63,8 @@ def test_the_planner_takes_what_is_cheapest_for_twelve_digits(raced):
     for name, each in raced.items():
         ways = {method: timing.evaluations for method, timing in reaching(each, 1e-12).items()}
         assert each.planned in ways, name
-        # Equal steps have no opinion about their own error; an adaptive route pays for its own. heyoka compiles, and is optional.
-        rivals = [cost for method, cost in ways.items() if method not in (each.planned, "heyoka")]
+        # Equal steps have no opinion about their own error; an adaptive route pays for its own.
+        rivals = [cost for method, cost in ways.items() if method != each.planned]
         assert ways[each.planned] <= 1.5 * min(rivals, default=math.inf), (name, ways)
 
 
@@ -115,7 +114,7 @@ def test_the_step_suggested_to_students_is_a_hundredth_of_the_contact_and_good(r
 
 
 def test_equal_steps_of_the_phase_and_adaptive_steps_agree():
-    both = spheres.pair(1.0)
+    both = colliding_spheres.pair(1.0)
     met = meet(both)
     assert met is not None
     stepped, adaptive = through(both, met, DOP853, 40), follow(both, met, 1e-14)
@@ -151,21 +150,15 @@ def test_a_lucky_hit_is_not_an_accuracy():
 def test_a_run_out_of_range_is_no_answer():
     case = cases()[0]
     assert (
-        math.isnan(error_of(case, Answer((math.nan,) * 3, 1)))
-        or error_of(case, Answer((math.nan,) * 3, 1)) > 1.0
+        math.isnan(error_of(case, MethodAnswer((math.nan,) * 3, 1)))
+        or error_of(case, MethodAnswer((math.nan,) * 3, 1)) > 1.0
     )
-    assert error_of(case, Answer(case.reference.numbers, 1)) == 0.0
+    assert error_of(case, MethodAnswer(case.reference.numbers, 1)) == 0.0
 
 
 def test_without_scipy_the_race_goes_on_and_says_why(monkeypatch):
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     assert solvers.routes(cases()[0]) == {}
-
-
-def test_without_heyoka_the_race_goes_on_and_says_why(monkeypatch):
-    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
-    with pytest.raises(taylor.NoSeries, match="not installed"):
-        taylor.route(cases()[0])
 
 
 def test_the_record_is_the_contracts(raced):

@@ -9,9 +9,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from trade.references import CRADLE_3_HERTZ, SPHERES_DAMPED
 from trade.study import composed, contacts, reference_runs, solvers, summary
 from trade.study.measured import FAMILIES, Timed, from_rows
+
+from corollary.trade.references import CRADLE_3_HERTZ, SPHERES_DAMPED
 
 COMMAND = Path(__file__).parents[2] / "benchmarks" / "trade" / "__main__.py"
 

@@ -1,6 +1,6 @@
 """Fixed-step methods as tables of coefficients, and the one loop that runs them and counts each force it asks for.
 
-Euler-Cromer and RK4; more of them race each other in benchmarks/trade/methods.py.
+Euler-Cromer and RK4; more of them race each other in corollary/trade/methods.py.
 """
 
 from __future__ import annotations

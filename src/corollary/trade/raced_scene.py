@@ -32,7 +32,7 @@ class Reference:
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class MethodAnswer:
     """What a method found, and how many times it asked for the force (or for the integrand)."""
 
     values: tuple[float, ...]
@@ -40,7 +40,7 @@ class Answer:
 
 
 @dataclass(frozen=True, slots=True)
-class Program:
+class StepProgram:
     """A scene as a program of the chapter sees it: Newton's second law from a start until a time (s).
 
     `acceleration(x, v)` gives one number for each of x; `switches` are values (of x followed by v) whose signs say which law
@@ -56,16 +56,16 @@ class Program:
 
 
 @dataclass(frozen=True, slots=True)
-class Route:
+class MethodRoute:
     """One method on one scene: each of `settings` (steps in s, or tolerances) is a run, the coarsest first."""
 
     knob: Knob
     settings: tuple[float, ...]
-    run: Callable[[float], Answer]
+    run: Callable[[float], MethodAnswer]
 
 
 @dataclass(frozen=True, slots=True)
-class Case:
+class RacedScene:
     """`scales` are the natural sizes of the observed values, `contact_time` (s) is what a step is compared with.
 
     `own` are the routes that belong to this scene alone; every method in steps comes from the program.
@@ -78,11 +78,11 @@ class Case:
     reference: Reference
     scales: tuple[float, ...]
     contact_time: float
-    program: Program
-    own: Mapping[str, Route]
+    program: StepProgram
+    own: Mapping[str, MethodRoute]
 
 
-def error_of(case: Case, answer: Answer) -> float:
+def error_of(case: RacedScene, answer: MethodAnswer) -> float:
     """The largest difference from the reference, in units of each value's natural size."""
     apart = zip(answer.values, case.reference.numbers, case.scales, strict=True)
     return max(abs(value - true) / scale for value, true, scale in apart)

@@ -1,5 +1,7 @@
 """Adaptive solvers of scipy as routes through a program: as they come, and started anew at every event."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 import importlib.util
@@ -7,25 +9,27 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any, Literal
 
-from .case import TOLERANCES, Answer, Case, Program, Route
+from corollary.trade.raced_scene import TOLERANCES, MethodAnswer, MethodRoute, RacedScene, StepProgram
 
 MOST_EVENTS = 100
 WANTING = "scipy is not installed (pip install scipy)"
 
 
-def routes(case: Case) -> dict[str, Route]:
+def routes(case: RacedScene) -> dict[str, MethodRoute]:
     """DOP853 and LSODA with relative tolerance, and the same times the natural sizes as absolute one; none without scipy."""
     if importlib.util.find_spec("scipy") is None:
         return {}
     asked = [1e2 * tolerance for tolerance in TOLERANCES if tolerance > 2e-14]
     return {
-        "scipy_dop853": Route("tolerance", tuple(asked), partial(_straight, case.program, "DOP853")),
-        "scipy_lsoda": Route("tolerance", tuple(asked), partial(_straight, case.program, "LSODA")),
-        "scipy_dop853_events": Route("tolerance", tuple(asked), partial(_from_event_to_event, case.program)),
+        "scipy_dop853": MethodRoute("tolerance", tuple(asked), partial(_straight, case.program, "DOP853")),
+        "scipy_lsoda": MethodRoute("tolerance", tuple(asked), partial(_straight, case.program, "LSODA")),
+        "scipy_dop853_events": MethodRoute(
+            "tolerance", tuple(asked), partial(_from_event_to_event, case.program)
+        ),
     }
 
 
-def _law(program: Program) -> Callable[[float, Any], list[float]]:
+def _law(program: StepProgram) -> Callable[[float, Any], list[float]]:
     count = len(program.x)
 
     def law(_: float, y: Any) -> list[float]:
@@ -35,13 +39,13 @@ def _law(program: Program) -> Callable[[float, Any], list[float]]:
     return law
 
 
-def _sizes(program: Program, tolerance: float) -> list[float]:
+def _sizes(program: StepProgram, tolerance: float) -> list[float]:
     """Absolute tolerances: of the way gone at the largest speed, and of that speed."""
     fast = max(map(abs, program.v))
     return [tolerance * fast * program.until] * len(program.x) + [tolerance * fast] * len(program.v)
 
 
-def _straight(program: Program, method: Literal["DOP853", "LSODA"], tolerance: float) -> Answer:
+def _straight(program: StepProgram, method: Literal["DOP853", "LSODA"], tolerance: float) -> MethodAnswer:
     from scipy.integrate import solve_ivp
 
     start, count = [*program.x, *program.v], len(program.x)
@@ -50,10 +54,10 @@ def _straight(program: Program, method: Literal["DOP853", "LSODA"], tolerance: f
         _law(program), (0.0, program.until), start, method, rtol=max(tolerance, 3e-14), atol=sizes
     )
     last = found.y[:, -1].tolist()
-    return Answer(program.read(last[:count], last[count:]), found.nfev)
+    return MethodAnswer(program.read(last[:count], last[count:]), found.nfev)
 
 
-def _from_event_to_event(program: Program, tolerance: float) -> Answer:
+def _from_event_to_event(program: StepProgram, tolerance: float) -> MethodAnswer:
     """Stops at each switch and starts anew beyond it; a switch that is on is watched falling, one that is off rising."""
     from scipy.integrate import solve_ivp
 
@@ -79,7 +83,7 @@ def _from_event_to_event(program: Program, tolerance: float) -> Answer:
             break
         fired = next(i for i, times in enumerate(found.t_events) if len(times))
         on[fired] = not on[fired]
-    return Answer(program.read(state[:count], state[count:]), spent)
+    return MethodAnswer(program.read(state[:count], state[count:]), spent)
 
 
 def _watched(switch: Callable[[Any], float], on: bool) -> Callable[[float, Any], float]:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 from functools import partial
 
-from flint import arb
-
+from corollary.formula.ball import Ball
 from corollary.grading.programs.fixed_step import RK4
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.dop853 import DOP853
@@ -22,10 +21,18 @@ from corollary.scenes.models.pair import (
     turned_and_lasted,
 )
 from corollary.scenes.models.two_bodies import contact_time
-
-from .case import ONCE, TOLERANCES, Answer, Case, Program, Reference, Route, State
-from .phases import through
-from .references import SPHERES, SPHERES_DAMPED
+from corollary.trade.contact_phases import through
+from corollary.trade.raced_scene import (
+    ONCE,
+    TOLERANCES,
+    MethodAnswer,
+    MethodRoute,
+    RacedScene,
+    Reference,
+    State,
+    StepProgram,
+)
+from corollary.trade.references import SPHERES, SPHERES_DAMPED
 
 MASS, REACH, STIFFNESS = 0.1, 0.04, 2e4
 START = (0.08, 0.018)
@@ -38,13 +45,13 @@ def pair(eta: float) -> Pair:
 def oblique(pair: Pair, met: Touching) -> Parting:
     """An undamped contact by its two integrals, as doubles."""
     overlap, turned, duration = (
-        double_of(lambda i=i: turned_and_lasted(pair, arb(met.inward), arb(met.spin))[i]) for i in range(3)
+        double_of(lambda i=i: turned_and_lasted(pair, Ball(met.inward), Ball(met.spin))[i]) for i in range(3)
     )
     force = pair.contact.k * overlap**pair.contact.q
     return Parting(turned, met.inward, met.spin, duration, overlap, force, False, 0)
 
 
-def program(eta: float, until: float) -> Program:
+def program(eta: float, until: float) -> StepProgram:
     """As in the chapter: both spheres in the plane, the force along the line of centres, drag on the relative velocity."""
 
     def overlap(y: State) -> float:
@@ -61,28 +68,28 @@ def program(eta: float, until: float) -> Program:
         fy = (push * dy - eta * (v[3] - v[1])) / MASS
         return [-fx, -fy, fx, fy]
 
-    return Program(
+    return StepProgram(
         (0.0, 0.0, *START), (1.0, 0.0, 0.0, 0.0), acceleration, until, (overlap,), lambda x, v: tuple(v)
     )
 
 
-def case(eta: float, reference: Reference) -> Case:
+def case(eta: float, reference: Reference) -> RacedScene:
     both = pair(eta)
     met = meet(both)
     assert met is not None
     own = {
-        "regularised": Route(
+        "regularised": MethodRoute(
             "tolerance", TOLERANCES, lambda tolerance: _answer(both, met, follow(both, met, tolerance))
         ),
-        "regularised_rk4": Route("step", _parts(4, 400), partial(_phased, both, met, RK4)),
-        "regularised_dop853": Route("step", _parts(4, 48), partial(_phased, both, met, DOP853)),
+        "regularised_rk4": MethodRoute("step", _parts(4, 400), partial(_phased, both, met, RK4)),
+        "regularised_dop853": MethodRoute("step", _parts(4, 48), partial(_phased, both, met, DOP853)),
     }
     if eta == 0.0:
         own = {
-            "quadrature": Route("tolerance", ONCE, lambda _: _answer(both, met, oblique(both, met))),
+            "quadrature": MethodRoute("tolerance", ONCE, lambda _: _answer(both, met, oblique(both, met))),
             **own,
         }
-    return Case(
+    return RacedScene(
         name=f"spheres eta={eta:g}",
         ready="spheres",
         settings={"eta": eta},
@@ -101,15 +108,15 @@ def _parts(fewest: int, most: int) -> tuple[float, ...]:
     return tuple(1.0 / n for n in counts if n <= most)
 
 
-def _phased(both: Pair, met: Touching, table: Tableau, part: float) -> Answer:
+def _phased(both: Pair, met: Touching, table: Tableau, part: float) -> MethodAnswer:
     return _answer(both, met, through(both, met, table, round(1.0 / part)))
 
 
-def _answer(both: Pair, met: Touching, parted: Parting) -> Answer:
+def _answer(both: Pair, met: Touching, parted: Parting) -> MethodAnswer:
     u, v = after_parting(both, met, parted)
     # B seen from A; the centre of mass moves on at (1/2, 0).
-    return Answer((0.5 - 0.5 * u, -0.5 * v, 0.5 + 0.5 * u, 0.5 * v), parted.evaluations)
+    return MethodAnswer((0.5 - 0.5 * u, -0.5 * v, 0.5 + 0.5 * u, 0.5 * v), parted.evaluations)
 
 
-def cases() -> tuple[Case, ...]:
+def cases() -> tuple[RacedScene, ...]:
     return (case(0.0, SPHERES), case(1.0, SPHERES_DAMPED))

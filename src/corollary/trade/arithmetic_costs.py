@@ -1,5 +1,7 @@
 """Closed forms in every arithmetic: how fast a value comes, and how many last places it is off."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 import math
@@ -35,7 +37,7 @@ class Formula:
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class ArithmeticRace:
     """`values` evaluates a formula at all its givens; preparing them is not timed, since all ways begin with other numbers."""
 
     name: str
@@ -77,18 +79,18 @@ def _formulas(quick: bool) -> Iterator[Formula]:
                     )
 
 
-def _ways() -> list[Way]:
+def _ways() -> list[ArithmeticRace]:
     between = intervals()
     return [
         _one_by_one(DOUBLES, _double),
-        Way(
+        ArithmeticRace(
             arrays().name,
             _arrays,
             lambda formula, at: np.broadcast_to(at[0](at[1]), len(formula.true)).tolist(),
         ),
         _one_by_one(PAIRS, _pair),
         _one_by_one(between, lambda given: between.number(given.ratio) * between.pi**given.pi),
-        Way(
+        ArithmeticRace(
             "certified balls",
             lambda formula: None,
             lambda formula, _: [certified(formula.tree, at).value for at in formula.givens],
@@ -96,7 +98,7 @@ def _ways() -> list[Way]:
     ]
 
 
-def _one_by_one(arithmetic: Arithmetic, number: Callable[[RationalPi], Any]) -> Way:
+def _one_by_one(arithmetic: Arithmetic, number: Callable[[RationalPi], Any]) -> ArithmeticRace:
     def prepare(formula: Formula) -> Any:
         return ready(formula.tree, arithmetic), [
             {name: number(given) for name, given in at.items()} for at in formula.givens
@@ -106,7 +108,7 @@ def _one_by_one(arithmetic: Arithmetic, number: Callable[[RationalPi], Any]) -> 
         run, rows = prepared
         return [_middle(run(at)) for at in rows]
 
-    return Way(arithmetic.name, prepare, values)
+    return ArithmeticRace(arithmetic.name, prepare, values)
 
 
 def _arrays(formula: Formula) -> Any:
@@ -135,7 +137,7 @@ def _middle(value: Any) -> float:
     )
 
 
-def _record(way: Way, formulas: list[Formula]) -> dict[str, Any]:
+def _record(way: ArithmeticRace, formulas: list[Formula]) -> dict[str, Any]:
     errors: list[float] = []
     worst, where, count, spent, done = 0.0, "", 0, 0.0, 0
     for formula in formulas:

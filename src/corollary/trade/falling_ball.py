@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from corollary.scenes.catalogue import run
 from corollary.scenes.models.two_bodies import contact_time
-
-from .case import ONCE, Answer, Case, Program, Route, State
-from .references import BALL
+from corollary.trade.raced_scene import ONCE, MethodAnswer, MethodRoute, RacedScene, State, StepProgram
+from corollary.trade.references import BALL
 
 MASS, STIFFNESS, RADIUS, WEIGHT = 0.1, 1e6, 0.02, 9.8
 HEIGHT, SPEED, UNTIL = 0.021, -2.8, 5.5e-3
@@ -17,21 +16,21 @@ def _acceleration(x: State, v: State) -> list[float]:
     return [STIFFNESS * overlap**1.5 / MASS - WEIGHT if overlap > 0.0 else -WEIGHT]
 
 
-def _from_integrals(_: float) -> Answer:
+def _from_integrals(_: float) -> MethodAnswer:
     found = run("ball_on_floor", {})
     rebound, duration = found.observed["rebound_speed"], found.observed["duration"]
     assert isinstance(rebound, float)
     assert isinstance(duration, float)
     free = UNTIL - (rebound + SPEED) / WEIGHT - duration
-    return Answer(
+    return MethodAnswer(
         (RADIUS + rebound * free - 0.5 * WEIGHT * free**2, rebound - WEIGHT * free), found.evaluations
     )
 
 
-def cases() -> tuple[Case, ...]:
+def cases() -> tuple[RacedScene, ...]:
     contact = contact_time(MASS, STIFFNESS, 1.5, -SPEED)
     return (
-        Case(
+        RacedScene(
             name="ball_on_floor",
             ready="ball_on_floor",
             settings={},
@@ -39,7 +38,7 @@ def cases() -> tuple[Case, ...]:
             reference=BALL,
             scales=(-SPEED * contact, -SPEED),
             contact_time=contact,
-            program=Program(
+            program=StepProgram(
                 x=(HEIGHT,),
                 v=(SPEED,),
                 acceleration=_acceleration,
@@ -47,6 +46,6 @@ def cases() -> tuple[Case, ...]:
                 switches=(lambda y: RADIUS - y[0],),
                 read=lambda x, v: (x[0], v[0]),
             ),
-            own={"quadrature": Route("tolerance", ONCE, _from_integrals)},
+            own={"quadrature": MethodRoute("tolerance", ONCE, _from_integrals)},
         ),
     )

@@ -1,12 +1,13 @@
-"""What a race says: orders of convergence with their bounds, the frontier, the cheapest method for a wanted accuracy."""
+"""Orders of convergence, frontier and cheapest method of a race, and its record as plain data."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
-from .race import Timing, WorkPrecision
+from corollary.trade.race import Timing, WorkPrecision
 
 WANTED = (1e-3, 1e-6, 1e-9, 1e-12)
 # Errors above are not yet in the range where a power law holds, errors below are rounding.
@@ -27,7 +28,7 @@ class Order:
 
 def orders(raced: WorkPrecision) -> dict[str, Order]:
     """For each method in steps that met the power law in four runs at least."""
-    found = {}
+    found: dict[str, Order] = {}
     for method in dict.fromkeys(timing.method for timing in raced.timings if timing.knob == "step"):
         points = [(timing.setting, timing.error) for timing in raced.timings if timing.method == method]
         inside = _asymptotic(points)
@@ -38,7 +39,7 @@ def orders(raced: WorkPrecision) -> dict[str, Order]:
 
 def _asymptotic(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
     """The shorter half of the steps, and four at least, among those whose error is neither coarse nor rounding."""
-    inside = []
+    inside: list[tuple[float, float]] = []
     for step, error in points:
         if error < FINE:
             break
@@ -106,7 +107,7 @@ def cheapest(raced: WorkPrecision, wanted: float) -> Timing | None:
 
 def frontier(raced: WorkPrecision) -> list[Timing]:
     """The runs that no other one beats in both error and time, the quickest first."""
-    best, found = math.inf, []
+    best, found = math.inf, list[Timing]()
     for timing in sorted(raced.timings, key=lambda timing: (timing.seconds, timing.error)):
         if timing.error < best:
             best = timing.error
@@ -122,3 +123,51 @@ def lies_beyond(raced: WorkPrecision, method: str = "euler_cromer") -> float | N
             break
         honest = timing.setting / raced.case.contact_time
     return honest
+
+
+def record(raced: WorkPrecision) -> dict[str, Any]:
+    """Reference, runs, orders, frontier, the cheapest method for each accuracy, and the planner's choice."""
+    case, measured = raced.case, orders(raced)
+    best = {label(wanted): cheapest(raced, wanted) for wanted in WANTED}
+    honest = lies_beyond(raced)
+    return {
+        "scene": case.name,
+        "ready": case.ready,
+        "settings": dict(case.settings),
+        "observable": case.observable,
+        "reference": {
+            "value": list(case.reference.values),
+            "digits": case.reference.digits,
+            "source": case.reference.source,
+        },
+        "contact_time": case.contact_time,
+        "runs": [timing_record(timing) for timing in raced.timings],
+        "order": {method: round(order.value, 3) for method, order in measured.items()},
+        "order_bounds": {
+            method: [round(order.low, 3), round(order.high, 3)] for method, order in measured.items()
+        },
+        "cheapest": {wanted: timing.method if timing else None for wanted, timing in best.items()},
+        "cheapest_runs": {
+            wanted: timing_record(timing) if timing else None for wanted, timing in best.items()
+        },
+        "frontier": [timing_record(timing) for timing in frontier(raced)],
+        "lies_beyond": {"euler_cromer": honest},
+        "planned": raced.planned,
+        "missing": dict(raced.missing),
+    }
+
+
+def label(wanted: float) -> str:
+    """1e-3, as the contract writes it."""
+    return f"1e{round(math.log10(wanted))}"
+
+
+def timing_record(timing: Timing) -> dict[str, Any]:
+    error = timing.error if math.isfinite(timing.error) else "inf"
+    return {
+        "method": timing.method,
+        timing.knob: timing.setting,
+        "error": error,
+        "evaluations": timing.evaluations,
+        "seconds": timing.seconds,
+    }

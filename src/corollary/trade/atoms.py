@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 
 from corollary.scenes.catalogue import run
-
-from .case import ONCE, Answer, Case, Program, Route, State
-from .references import ATOM_BOUND, ATOM_ESCAPING
+from corollary.trade.raced_scene import ONCE, MethodAnswer, MethodRoute, RacedScene, State, StepProgram
+from corollary.trade.references import ATOM_BOUND, ATOM_ESCAPING
 
 PULL, BOTTOM, EDGE = 50.0, 1.0, 1.4
 SLOW, FAST = 3.0, 5.0
@@ -23,8 +22,8 @@ def _acceleration(x: State, v: State) -> list[float]:
     return [pull * x[0], pull * x[1]]
 
 
-def program(speed: float, until: float) -> Program:
-    return Program(
+def program(speed: float, until: float) -> StepProgram:
+    return StepProgram(
         x=(BOTTOM, 0.0),
         v=(0.0, speed),
         acceleration=_acceleration,
@@ -34,24 +33,24 @@ def program(speed: float, until: float) -> Program:
     )
 
 
-def _turned(_: float) -> Answer:
+def _turned(_: float) -> MethodAnswer:
     """After each period the start is back, turned by the same angle."""
     found = run("atom", {"v0": SLOW})
     angle = found.observed["angle"]
     assert isinstance(angle, float)
-    return Answer((-SLOW * math.sin(3.0 * angle), SLOW * math.cos(3.0 * angle)), found.evaluations)
+    return MethodAnswer((-SLOW * math.sin(3.0 * angle), SLOW * math.cos(3.0 * angle)), found.evaluations)
 
 
-def _left(_: float) -> Answer:
+def _left(_: float) -> MethodAnswer:
     found = run("atom", {"v0": FAST})
     velocities = found.observed["velocities"]
     assert isinstance(velocities, tuple)
-    return Answer(velocities, found.evaluations)
+    return MethodAnswer(velocities, found.evaluations)
 
 
-def cases() -> tuple[Case, ...]:
+def cases() -> tuple[RacedScene, ...]:
     return (
-        Case(
+        RacedScene(
             name="atom bound",
             ready="atom",
             settings={"v0": SLOW},
@@ -60,9 +59,9 @@ def cases() -> tuple[Case, ...]:
             scales=(SLOW, SLOW),
             contact_time=PERIOD,
             program=program(SLOW, 3.0 * PERIOD),
-            own={"quadrature": Route("tolerance", ONCE, _turned)},
+            own={"quadrature": MethodRoute("tolerance", ONCE, _turned)},
         ),
-        Case(
+        RacedScene(
             name="atom escaping",
             ready="atom",
             settings={"v0": FAST},
@@ -71,6 +70,6 @@ def cases() -> tuple[Case, ...]:
             scales=(FAST, FAST),
             contact_time=ESCAPE,
             program=program(FAST, 1.5 * ESCAPE),
-            own={"quadrature": Route("tolerance", ONCE, _left)},
+            own={"quadrature": MethodRoute("tolerance", ONCE, _left)},
         ),
     )

@@ -9,9 +9,8 @@ from dataclasses import dataclass
 
 from corollary.scenes.catalogue import run
 from corollary.scenes.run import GuardFailed
-
-from . import atoms, ball, cradles, marched, solvers, spheres, taylor
-from .case import Case, Knob, Route, error_of
+from corollary.trade import atoms, colliding_spheres, cradles, falling_ball, methods, solvers
+from corollary.trade.raced_scene import Knob, MethodRoute, RacedScene, error_of
 
 MOST, MOST_QUICK = 8_000, 700
 # Beyond this nothing can be learned from doubles.
@@ -43,25 +42,21 @@ class Timing:
 class WorkPrecision:
     """All timings of a scene, which method the planner takes there, and what could not run, with the reason."""
 
-    case: Case
+    case: RacedScene
     timings: tuple[Timing, ...]
     planned: str
     missing: Mapping[str, str]
 
 
-def cases() -> tuple[Case, ...]:
-    return (*cradles.cases(), *spheres.cases(), *ball.cases(), *atoms.cases())
+def cases() -> tuple[RacedScene, ...]:
+    return (*cradles.cases(), *colliding_spheres.cases(), *falling_ball.cases(), *atoms.cases())
 
 
-def race(case: Case, quick: bool = False) -> WorkPrecision:
+def race(case: RacedScene, quick: bool = False) -> WorkPrecision:
     """Every method on one scene; `quick` leaves out the longest runs and times each one once."""
     bought = solvers.routes(case)
-    ways = {**case.own, **marched.routes(case, MOST_QUICK if quick else MOST), **bought}
+    ways = {**case.own, **methods.routes(case, MOST_QUICK if quick else MOST), **bought}
     missing = {} if bought else {"scipy": solvers.WANTING}
-    try:
-        ways["heyoka"] = taylor.route(case)
-    except taylor.NoSeries as reason:
-        missing["heyoka"] = str(reason)
     timings: list[Timing] = []
     for name, route in ways.items():
         try:
@@ -71,7 +66,7 @@ def race(case: Case, quick: bool = False) -> WorkPrecision:
     return WorkPrecision(case, tuple(timings), PLANNED[run(case.ready, case.settings).model], missing)
 
 
-def _timings(case: Case, name: str, route: Route, quick: bool) -> list[Timing]:
+def _timings(case: RacedScene, name: str, route: MethodRoute, quick: bool) -> list[Timing]:
     found: list[Timing] = []
     _timed(case, route, route.settings[0], 1)  # the first run pays for imports
     for setting in route.settings[:: 2 if quick and route.knob == "tolerance" else 1]:
@@ -82,7 +77,7 @@ def _timings(case: Case, name: str, route: Route, quick: bool) -> list[Timing]:
     return found
 
 
-def _timed(case: Case, route: Route, setting: float, most: int) -> tuple[float, int, float]:
+def _timed(case: RacedScene, route: MethodRoute, setting: float, most: int) -> tuple[float, int, float]:
     """Error, evaluations, and the least time of a few runs; a run whose numbers leave all range has an infinite error."""
     seconds, error, evaluations = math.inf, math.inf, 0
     for _ in range(most):

@@ -6,7 +6,7 @@ energy integrals by tanh-sinh quadrature in 50 digits. The tests hold the progra
 
 from __future__ import annotations
 
-from .case import Reference
+from corollary.trade.raced_scene import Reference
 
 MIDPOINT = "extrapolated midpoint steps in 34 digits, shrinking toward every opening and closing"
 TAYLOR = "Taylor series of order 50 in the root of the overlap, 50 digits"

@@ -26,7 +26,7 @@ def through(pair: Pair, met: Touching, table: Tableau, steps: int) -> Parting:
         rho, share, time, turn = state
         w, rate = rho * math.sin(phase), rho * math.cos(phase)
         rates = [0.0] * SIZE
-        contact_motion.slope([w, rate, share, time, turn], rates, groups, False)
+        contact_motion.slope([w, rate, share, time, turn], rates, groups, False)  # pyright: ignore[reportUnknownMemberType]
         ahead = (rate * rates[W] - w * rates[P]) / (rho * rho)
         grown = (w * rates[W] + rate * rates[P]) / rho
         return [grown / ahead, rates[SPIN] / ahead, rates[TIME] / ahead, rates[TURN] / ahead]

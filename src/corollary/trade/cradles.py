@@ -8,9 +8,17 @@ from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import regularised
 from corollary.scenes.models.two_bodies import contact_time
 from corollary.scenes.row import RowOfBodies, RowResult
-
-from .case import ONCE, TOLERANCES, Answer, Case, Program, Reference, Route, State
-from .references import CRADLE_3_CUBIC, CRADLE_3_HERTZ, CRADLE_3_SPRINGS, CRADLE_5_HERTZ
+from corollary.trade.raced_scene import (
+    ONCE,
+    TOLERANCES,
+    MethodAnswer,
+    MethodRoute,
+    RacedScene,
+    Reference,
+    State,
+    StepProgram,
+)
+from corollary.trade.references import CRADLE_3_CUBIC, CRADLE_3_HERTZ, CRADLE_3_SPRINGS, CRADLE_5_HERTZ
 
 MASS, STIFFNESS, SPEED = 0.1, 1e4, 1.0
 
@@ -23,11 +31,11 @@ def line(count: int, q: float) -> RowOfBodies:
     )
 
 
-def program(count: int, q: float, until: float) -> Program:
+def program(count: int, q: float, until: float) -> StepProgram:
     """As in project 12.14: displacements from the places where the balls just touch."""
 
     def acceleration(x: State, v: State) -> list[float]:
-        gained, left = [], 0.0
+        gained, left = list[float](), 0.0
         for i in range(count - 1):
             overlap = x[i] - x[i + 1]
             right = STIFFNESS * overlap**q if overlap > 0.0 else 0.0
@@ -35,7 +43,7 @@ def program(count: int, q: float, until: float) -> Program:
             left = right
         return [*gained, left / MASS]
 
-    return Program(
+    return StepProgram(
         x=(0.0,) * count,
         v=(SPEED,) + (0.0,) * (count - 1),
         acceleration=acceleration,
@@ -45,22 +53,22 @@ def program(count: int, q: float, until: float) -> Program:
     )
 
 
-def case(count: int, q: float, reference: Reference) -> Case:
+def case(count: int, q: float, reference: Reference) -> RacedScene:
     row = line(count, q)
     own = {
-        "regularised": Route(
+        "regularised": MethodRoute(
             "tolerance", TOLERANCES, lambda tolerance: _answer(regularised.collide(row, tolerance))
         )
     }
     if importlib.util.find_spec("numba") is not None:
-        own["regularised_compiled"] = Route(
+        own["regularised_compiled"] = MethodRoute(
             "tolerance", TOLERANCES, lambda tolerance: _compiled(row, tolerance)
         )
     if q == 1.0:
-        own = {"exact_flow": Route("tolerance", ONCE, lambda _: _exact(row)), **own}
+        own = {"exact_flow": MethodRoute("tolerance", ONCE, lambda _: _exact(row)), **own}
     # All balls are apart well before this: the wave has passed every contact.
     pair = contact_time(0.5 * MASS, STIFFNESS, q, SPEED)
-    return Case(
+    return RacedScene(
         name=f"cradle N={count} q={q:g}",
         ready="cradle",
         settings={"N": float(count), "q": q},
@@ -73,21 +81,21 @@ def case(count: int, q: float, reference: Reference) -> Case:
     )
 
 
-def _answer(passage: RowResult) -> Answer:
-    return Answer(passage.velocities, passage.evaluations)
+def _answer(passage: RowResult) -> MethodAnswer:
+    return MethodAnswer(passage.velocities, passage.evaluations)
 
 
-def _compiled(row: RowOfBodies, tolerance: float) -> Answer:
+def _compiled(row: RowOfBodies, tolerance: float) -> MethodAnswer:
     return _answer(regularised.collide(row, tolerance, compiled=True))
 
 
-def _exact(row: RowOfBodies) -> Answer:
+def _exact(row: RowOfBodies) -> MethodAnswer:
     from corollary.scenes.models import modal  # here, since it brings numpy
 
     return _answer(modal.collide(row))
 
 
-def cases() -> tuple[Case, ...]:
+def cases() -> tuple[RacedScene, ...]:
     return (
         case(3, 1.0, CRADLE_3_SPRINGS),
         case(3, 1.5, CRADLE_3_HERTZ),

@@ -1,0 +1,1 @@
+"""The race of methods on the chapter's scenes: speed against accuracy."""
