@@ -33,7 +33,7 @@ def value(text: str, unit: str):
         # numbers
         ("0.123 456 m", "m", 0.123456), ("1.5 E 3 N", "N", 1500), ("16.3 e1", "1", 163), ("2.179x10-3", "1", 2.179e-3), ("10^2.5", "1", 10**2.5), ("|-5| N", "N", 5),
         ("1 ¾ m", "m", 1.75), ("⁻3.2 m/s", "m/s", -3.2), ("5*Pi/3", "1", 5 * math.pi / 3), ("log_10(100)", "1", 2), ("arccot(1)", "rad", math.pi / 4),
-        ("5*cos(90°) N", "N", 0),
+        ("5*cos(90°) N", "N", 0), ("86 N = F", "N", 86), ("-8.6 N s = p_x", "N s", -8.6),
         # Euler's number
         ("1/e", "1", math.exp(-1)), ("5*e^(-2) N", "N", 5 * math.exp(-2)), ("10*e^-1 V", "V", 10 * math.exp(-1)), ("5 e^(-1.5) m/s", "m/s", 5 * math.exp(-1.5)),
         ("1/np.e", "1", math.exp(-1)), ("2 e", "C", 2 * 1.602176634e-19),
@@ -49,7 +49,7 @@ def test_a_quantity_is_read(text, unit, si):
     ("text", "unit"),
     [
         ("3x108 m/s", "m/s"), ("5 x 104 N", "N"), ("0x10", "1"), ("11*", "1"), ("86!", "N"), ("8-9 N", "N"), ("8 + 0.6 kg", "kg"), ("20°", "K"), ("3 m + 4 s", "m"),
-        ("3 m+4 s", "m"), ("1 min 2 h", "s"), ("a,b", "1"),
+        ("3 m+4 s", "m"), ("1 min 2 h", "s"), ("a,b", "1"), ("86 N = 2F", "N"), ("86 N = m a", "N"), ("86 N = 96 N", "N"),
     ],
 )  # fmt: skip
 def test_what_has_two_readings_or_none_is_not_guessed(text, unit):
@@ -144,3 +144,16 @@ def test_radians_may_be_left_out_and_a_gauss_is_short_where_a_field_is_asked_for
 def test_of_the_powers_of_an_angle_only_the_first_is_an_angle_or_a_number(angle, power, asked):
     found = read_case({"text": f"2 {angle}^{power}", "field": "quantity", "unit": asked})
     assert (found["verdict"] == "compatible") == (power == 1)
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "si"),
+    [("5 kwh", "J", 1.8e7), ("5 KWH", "J", 1.8e7), ("5 kWh", "J", 1.8e7), ("5 wh", "J", 18000), ("5 kn", "m/s", 5 * 463 / 900), ("2000 mAh", "C", 7200)],
+)  # fmt: skip
+def test_an_hour_may_be_written_on_to_a_watt_in_any_case(text, unit, si):
+    assert value(text, unit) == pytest.approx(si, rel=1e-9)
+
+
+@pytest.mark.parametrize(("text", "unit"), [("5 kn", "N"), ("5 t", "T"), ("5 s", "S"), ("5 h", "H")])
+def test_a_small_letter_of_another_unit_is_asked_about_where_its_capital_fits(text, unit):
+    assert value(text, unit) == "asked"

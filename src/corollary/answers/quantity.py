@@ -58,6 +58,9 @@ LOST_POWER = re.compile(
     r"(?<![0-9.,])(?P<number>[0-9]+(?:[.,][0-9]+)?)\s?[xX×·⋅]\s?10(?P<power>[1-9][0-9]?)(?![0-9.,^*])"
 )
 TWO_ANSWERS = re.compile(r"\d\D*\s(?:or|oder|eller|ou)\s\D*\d", re.IGNORECASE)
+NAME_BEHIND = re.compile(
+    r"\s*(?P<value>[-+−–]?\s*[0-9.,][^=≈]*?)\s*=\s*(?P<name>[^=≈\s0-9][^=≈]{0,12}?)\s*"
+)  # `86 N = F`
 HEXADECIMAL = re.compile(r"(?<![0-9.,A-Za-z])0[xXbBoO][0-9A-Fa-f]")
 GLUED = re.compile(r"(?<=[A-Za-z²³°%])([+-])(?=[0-9.,]+\s*[A-Za-zµ°%])")
 PIECE = re.compile(r"([0-9]+(?:[.,][0-9]+)?)\s*(°|[A-Za-zµ]+)")
@@ -118,8 +121,10 @@ def read_quantity(text: str, expected: Unit | None, question: Question | None = 
 
 
 def _rewrite(text: str) -> str:
-    """Stage `rewrite`: TeX, signs of other alphabets, and motion in words, as a keyboard has them."""
+    """Stage `rewrite`: TeX, signs of other alphabets, and motion in words, as a keyboard has them; a name behind a value before it."""
     typed = motion_in_number(by_hand(text))
+    if (turned := NAME_BEHIND.fullmatch(typed)) and is_name(turned["name"]):
+        typed = f"{turned['name']} = {turned['value']}"
     if typed != text:
         trace.took("rewrite", text, typed)
     return typed

@@ -145,6 +145,9 @@ def _slip_of_case(text: str, unit: Unit, expected: Unit) -> ParseError | None:
     smaller = WORD.sub(lambda word: word[0].lower() if word[0] in UNSUGGESTED else word[0], text)
     meant = read_unit(smaller)
     if not isinstance(meant, Unit) or meant.dimension != expected.dimension:
-        return None
+        other = _in_another_case(text, expected) if text.islower() else None  # `5 kn` for kN
+        if not isinstance(other, Unit):
+            return None
+        meant, smaller = other, show(other)
     why = _("{unit} is {what}", unit=show(unit), what=called(unit.dimension))
     return ParseError("asked", why, 0, _("did you mean {near}?", near=smaller), (smaller, unit.text))

@@ -21,6 +21,9 @@ def cuts(run: str) -> Iterator[tuple[str, ...]]:
     yield from ((run[:first], run[first:end], run[end:]) for end in ends for first in range(1, end))
 
 
+WITH_HOURS = ("Wh", "kWh", "MWh", "GWh", "Ah", "mAh")  # products that are written as one word, in any case
+
+
 def in_capitals(text: str) -> bool:
     """Whether every letter is a capital. A lone one is not enough: `5 T` may well be tesla."""
     letters = "".join(WORD.findall(text))
@@ -67,6 +70,6 @@ def _by_small_letters(_units: int) -> dict[str, list[str]]:
     unlisted = (
         prefix + symbol for symbol in WITH_PREFIXES for prefix in PREFIXES if prefix + symbol not in UNITS
     )
-    for symbol in (*UNITS, *unlisted):
+    for symbol in (*UNITS, *unlisted, *WITH_HOURS):
         found.setdefault(symbol.lower(), []).append(symbol)
     return found
