@@ -79,14 +79,14 @@ def moved(pull: Pull, state: State, time: float, least: int = 400) -> State:
         left = time / count
         while left > 0:
             after = _step(pull, state, left, inside)
-            if (math.hypot(*after[:2]) < pull.edge) == inside:
+            if (math.hypot(*after[:2]) < pull.edge) is inside:
                 state, left = after, 0.0
                 continue
             low, high = 0.0, left
             while high - low > 1e-15 * time:
                 middle = 0.5 * (low + high)
                 here = math.hypot(*_step(pull, state, middle, inside)[:2]) < pull.edge
-                low, high = (middle, high) if here == inside else (low, middle)
+                low, high = (middle, high) if here is inside else (low, middle)
                 if middle in (0.0, left):
                     break
             state, left, inside = _step(pull, state, high, inside), left - high, not inside

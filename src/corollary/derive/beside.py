@@ -45,7 +45,7 @@ def importable(*folders: Path) -> Generator[None]:
 
 @contextmanager
 def _importable(folder: Path) -> Generator[None]:
-    writes, before = sys.dont_write_bytecode, _loaded_from(folder)
+    writes, before = sys.dont_write_bytecode, set(sys.modules)
 
     def finder(path: str) -> FileFinder:
         if Path(path) != folder:
@@ -64,19 +64,14 @@ def _importable(folder: Path) -> Generator[None]:
         sys.path.remove(str(folder))
         sys.path_hooks.remove(finder)
         sys.path_importer_cache.pop(str(folder), None)
-        for name in _loaded_from(folder) - before:  # those before belong to whoever loaded them
-            del sys.modules[name]
+        for name in sys.modules.keys() - before:  # those before belong to whoever loaded them
+            if _lies_in(folder, sys.modules[name]):
+                del sys.modules[name]
 
 
-def _loaded_from(folder: Path) -> set[str]:
-    """The modules loaded that lie in a folder."""
-    begin = str(folder)
-    return {
-        name
-        for name, module in list(sys.modules.items())
-        if (file := getattr(module, "__file__", None) or "").startswith(begin)  # a Path of each takes long
-        and Path(file).parent == folder
-    }
+def _lies_in(folder: Path, module: ModuleType) -> bool:
+    file = getattr(module, "__file__", None) or ""
+    return file.startswith(str(folder)) and Path(file).parent == folder  # a Path of each takes long
 
 
 class LazyModule:
