@@ -18,9 +18,8 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import chi2
 
-from corollary.records.fairness import feature_effects
-from corollary.records.part_statistics import AnswersToPart, answers_to_parts, part_statistics
-from corollary.records.record import Row
+from corollary.records.marks import Row
+from corollary.records.statistics import AnswersToPart, answers_to_parts, feature_effects, part_statistics
 
 PARTS, VARIANTS = 12, 50
 EASY, APART = np.linspace(-1.5, 2.0, PARTS), np.linspace(0.7, 1.5, PARTS)

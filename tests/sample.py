@@ -15,7 +15,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet, read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import at
-from corollary.records.record import handed_in, rows
+from corollary.records.marks import handed_in, rows
 from corollary.records.report_model import Report, report
 from corollary.sandbox.result import Axes, CellRun, DrawnLine, Figure
 

@@ -15,13 +15,12 @@ import pytest
 from tests import forked
 
 from corollary.course.collect import Collected, collect
-from corollary.records.collected import ACCEPTED, NOBODY, OLDER, UNCHANGED, UNUSABLE
 from corollary.records.deadlines import Extension, read_deadlines, write_extension
 from corollary.records.files import open_course
-from corollary.records.hand_in_time import handed_in as moment_of
-from corollary.records.hand_in_time import settle_time
 from corollary.records.origin import set_of
 from corollary.records.report_model import report_of
+from corollary.records.submissions import ACCEPTED, NOBODY, OLDER, UNCHANGED, UNUSABLE, settle_time
+from corollary.records.submissions import handed_in as moment_of
 
 from .conftest import COMMAND, grade
 

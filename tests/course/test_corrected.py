@@ -143,7 +143,7 @@ def test_points_are_those_of_today(ball: ChangingBank) -> None:
 
 
 def test_who_is_shown_a_sheet_is_shown_the_one_that_was_handed_out(ball: ChangingBank) -> None:
-    from corollary.records.assigned import variant_anywhere
+    from corollary.records.assignments import variant_anywhere
     from corollary.records.files import open_course
 
     before = variant_anywhere(open_course(ball.course), ball.problem_set.problems[0], "ada")

@@ -15,7 +15,7 @@ from corollary.formula.value import Text as Written
 from corollary.grading.judge import judge
 from corollary.grading.solutions import Solutions
 from corollary.problem.variant import Variant, chapter
-from corollary.records.assigned import AssignedSheet, open_record, pending, settle, sheets
+from corollary.records.assignments import AssignedSheet, open_record, pending, settle, sheets
 from corollary.records.files import Course, open_course
 
 from .changing_bank import PARTS, ChangingBank, Text

@@ -12,9 +12,8 @@ from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import at
-from corollary.records.assigned import save_record
+from corollary.records.assignments import Assigned, numbers_of, save_record
 from corollary.records.files import create_course
-from corollary.records.numbers import Assigned, numbers_of
 from corollary.render.exports import target
 
 from .small_class import SET

@@ -15,9 +15,9 @@ from tests import forked
 
 from corollary.course.feedback import feedback_files
 from corollary.course.lms_places import NoPlaces
-from corollary.records.collected import Arrival, remember
 from corollary.records.files import open_course
 from corollary.records.origin import set_of
+from corollary.records.submissions import Arrival, remember
 
 from .conftest import COMMAND
 

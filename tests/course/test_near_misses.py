@@ -17,7 +17,7 @@ from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import filled_in
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.roster import Student
-from corollary.records.assigned import read_assigned
+from corollary.records.assignments import read_assigned
 from corollary.records.files import open_course
 from corollary.records.origin import set_of
 

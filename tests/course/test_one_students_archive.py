@@ -19,9 +19,9 @@ from corollary.course import collect as collecting
 from corollary.course.collect import Collected, collect
 from corollary.nbgrader.zip_collect import BoundedExtractor
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.collected import ACCEPTED, NOBODY, UNUSABLE
 from corollary.records.files import Course, open_course
 from corollary.records.origin import set_of
+from corollary.records.submissions import ACCEPTED, NOBODY, UNUSABLE
 
 from .hostile_archives import HOSTILE, far_away, of_method, packed, without_a_name
 from .test_collect import NOW

@@ -25,9 +25,9 @@ from corollary.grading.submission import Submission
 from corollary.nbgrader.graded import GradedSubmission
 from corollary.problem.roster import Student
 from corollary.problem.variant import at
-from corollary.records.failures import read_failures
 from corollary.records.files import open_course
 from corollary.records.origin import set_of
+from corollary.records.submissions import read_failures
 from corollary.sandbox.runner import Runner
 
 from .small_class import POINTS, handed_in, order

@@ -16,7 +16,7 @@ from corollary.grading.solutions import Solutions
 from corollary.nbgrader.gradebook import NoNbgrader
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
-from corollary.records.assigned import read_assigned
+from corollary.records.assignments import read_assigned
 from corollary.records.files import open_course
 
 from .changing_bank import ChangingBank, Text

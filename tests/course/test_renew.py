@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from corollary.cli.commands import app
-from corollary.records.assigned import read_assigned
+from corollary.records.assignments import read_assigned
 from corollary.records.files import open_course
 
 from .changing_bank import ChangingBank, Text, replace

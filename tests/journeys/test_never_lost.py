@@ -26,7 +26,7 @@ from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import Student
-from corollary.records.assigned import read_assigned
+from corollary.records.assignments import read_assigned
 from corollary.records.files import Course, open_course
 from corollary.records.marks import history, read_record, settle
 

@@ -25,7 +25,7 @@ from corollary.notebook.notebook import file_text
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import ProblemSet, find_set
-from corollary.records.assigned import read_assigned
+from corollary.records.assignments import read_assigned
 from corollary.records.files import Course, one_writer, open_course
 from corollary.records.marks import history, read_record
 from corollary.sandbox.runner import Runner

@@ -41,7 +41,7 @@ from corollary.problem.roster import Student
 from corollary.problem.variant import Variant, at, chapter
 from corollary.records.deadlines import Terms
 from corollary.records.files import Course, create_course
-from corollary.records.hand_in_time import settle_time
+from corollary.records.submissions import settle_time
 from corollary.sandbox.result import CellRun
 
 FILES = {

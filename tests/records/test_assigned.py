@@ -8,7 +8,7 @@ from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant, at
-from corollary.records.assigned import is_assigned, read_assigned, variant_anywhere
+from corollary.records.assignments import is_assigned, read_assigned, variant_anywhere
 from corollary.records.files import NotACourse, create_course
 
 from .conftest import Kicks
@@ -85,8 +85,7 @@ def test_a_unit_that_was_a_mistake_is_corrected_and_its_number_holds(kicks: Kick
     problem = kicks.problem_set.problems[0]
     assert problem.given("m").unit.text == "N"
     # It cannot be generated so: the record is what an author had who noticed too late.
-    from corollary.records.assigned import save_record
-    from corollary.records.numbers import Assigned, numbers_of
+    from corollary.records.assignments import Assigned, numbers_of, save_record
 
     course = create_course(kicks.folder, [])
     record = Assigned([], {})

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from corollary.grading.submission import CREDIT, LATE_SHARE, WEIGHTS
-from corollary.records.causes import DEADLINE, TIME, needs_no_run
+from corollary.records.regrading import DEADLINE, TIME, needs_no_run
 
 
 @pytest.mark.parametrize("name", [CREDIT, WEIGHTS, DEADLINE, TIME, LATE_SHARE])

@@ -8,9 +8,9 @@ from corollary.grading.solutions import Solutions
 from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.variant import at
-from corollary.records.assigned import AssignedSheet
+from corollary.records.assignments import AssignedSheet
 from corollary.records.collusion import find_shared
-from corollary.records.record import HandedIn, PartRecord, Record
+from corollary.records.marks import HandedIn, PartRecord, Record
 
 SOLUTIONS = Solutions(chapter_bank())
 SET = find_set(SOLUTIONS.bank, "momentum_1")

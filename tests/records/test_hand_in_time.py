@@ -14,7 +14,7 @@ from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
 from corollary.records.deadlines import Terms
 from corollary.records.files import Course, create_course
-from corollary.records.hand_in_time import (
+from corollary.records.submissions import (
     GuessedTime,
     all_guessed,
     guessed_time,

@@ -13,8 +13,15 @@ from corollary.grading.grade import Marked
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.files import Course, create_course
-from corollary.records.marks import NewMarks, history, read_record, read_records, settle, write_marks
-from corollary.records.record import record_of
+from corollary.records.marks import (
+    NewMarks,
+    history,
+    read_record,
+    read_records,
+    record_of,
+    settle,
+    write_marks,
+)
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
 

@@ -18,9 +18,9 @@ from corollary.problem.bank import Bank
 from corollary.problem.part import Option
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import Student
-from corollary.records.assigned import open_record, pending, read_assigned, save_record, settle
+from corollary.records.assignments import open_record, pending, read_assigned, save_record, settle
+from corollary.records.editions import letters_now
 from corollary.records.files import open_course
-from corollary.records.option_letters import letters_now
 
 PROBLEM = """\
 ---

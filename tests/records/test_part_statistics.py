@@ -10,13 +10,19 @@ import math
 import numpy as np
 import pytest
 
-from corollary.records.estimate import correlation, share
-from corollary.records.fairness import feature_effects
-from corollary.records.logistic import NoFit, logistic_fit
-from corollary.records.part_statistics import answers_to_parts
-from corollary.records.record import Row
+from corollary.records.marks import Row
 from corollary.records.report_model import report
-from corollary.records.set_statistics import set_statistics, statistics_record, statistics_rows
+from corollary.records.statistics import (
+    NoFit,
+    answers_to_parts,
+    correlation,
+    feature_effects,
+    logistic_fit,
+    set_statistics,
+    share,
+    statistics_record,
+    statistics_rows,
+)
 from corollary.render.spreadsheet import table_text
 
 

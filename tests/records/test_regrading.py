@@ -10,7 +10,7 @@ from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
-from corollary.records.record import Record, record_of
+from corollary.records.marks import Record, record_of
 from corollary.records.regrading import Change, change, largest_first
 
 KICK = chapter(find(chapter_bank(), "X12.5"))

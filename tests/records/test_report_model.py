@@ -15,7 +15,7 @@ from rich.console import Console
 
 from corollary.answers.verdict import Right
 from corollary.grading.grade import Grade
-from corollary.records.record import HandedIn, Row, handed_in, rows
+from corollary.records.marks import HandedIn, Row, handed_in, rows
 from corollary.records.report_model import report, report_record
 from corollary.render.report_table import terminal
 from corollary.render.wording import LOOKS

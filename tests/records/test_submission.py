@@ -13,12 +13,14 @@ from corollary.atomic import write_whole
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
-from corollary.records.assigned import AssignedSheet
+from corollary.records.assignments import AssignedSheet
 from corollary.records.deadlines import Terms
 from corollary.records.files import Course, create_course
-from corollary.records.hand_in_time import handed_in, lateness, moment
-from corollary.records.submission import (
+from corollary.records.submissions import (
     fingerprint,
+    handed_in,
+    lateness,
+    moment,
     read_submission,
     submissions,
 )

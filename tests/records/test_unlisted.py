@@ -15,10 +15,10 @@ from rich.console import Console
 from corollary.cli.commands import app
 from corollary.derive.solution import Solution
 from corollary.grading.solutions import Solutions
-from corollary.records.assigned import read_assigned
+from corollary.records.assignments import read_assigned
 from corollary.records.files import open_course
-from corollary.records.record import HandedIn, PartRecord, Record, Row
-from corollary.records.set_statistics import SetStatistics
+from corollary.records.marks import HandedIn, PartRecord, Record, Row
+from corollary.records.statistics import SetStatistics
 from corollary.records.unlisted import DrawnLetters, shared_rules
 from corollary.render.statistics_table import statistics_table
 

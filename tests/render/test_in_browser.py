@@ -14,7 +14,7 @@ from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
-from corollary.records.record import record_of
+from corollary.records.marks import record_of
 from corollary.render.exports import target
 from corollary.render.feedback_facts import page_facts
 from corollary.render.feedback_page import feedback_page

@@ -10,11 +10,9 @@ from pathlib import Path
 import pytest
 
 from corollary.records.collusion import Shared
-from corollary.records.estimate import Estimate
-from corollary.records.fairness import FeatureEffect
-from corollary.records.record import HandedIn
+from corollary.records.marks import HandedIn
 from corollary.records.report_model import report
-from corollary.records.set_statistics import set_statistics
+from corollary.records.statistics import Estimate, FeatureEffect, set_statistics
 from corollary.render.report_page import intervals, report_page
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))

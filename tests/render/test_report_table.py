@@ -5,7 +5,7 @@ from __future__ import annotations
 from rich.console import Console
 
 from corollary.records.collusion import Shared
-from corollary.records.record import HandedIn
+from corollary.records.marks import HandedIn
 from corollary.records.report_model import Report, report, report_record
 from corollary.render.report_table import terminal
 

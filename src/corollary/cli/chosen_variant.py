@@ -36,7 +36,7 @@ def chosen_variant(
         from corollary.grading.solutions import Solutions  # needed for the answers only
 
         return Solutions(place).assign_variant(problem, b"", student, ()).variant
-    from corollary.records.assigned import variant_anywhere
+    from corollary.records.assignments import variant_anywhere
     from corollary.records.files import find_student, open_course
 
     opened = open_course(course)

@@ -11,10 +11,10 @@ from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
 from corollary.cli.progress import bar
 from corollary.course.collect import Collected, collect
-from corollary.records.assigned import is_assigned
-from corollary.records.collected import ACCEPTED, GUESSED, NOBODY, OLDER, UNCHANGED, UNUSABLE, Arrival
+from corollary.records.assignments import is_assigned
 from corollary.records.files import one_writer, open_course
 from corollary.records.origin import set_of
+from corollary.records.submissions import ACCEPTED, GUESSED, NOBODY, OLDER, UNCHANGED, UNUSABLE, Arrival
 
 HEADINGS = {
     ACCEPTED: "Taken",

@@ -9,10 +9,9 @@ from corollary.cli.asking import agreed
 from corollary.cli.ending import say
 from corollary.course.renew import Renewals
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.assigned import pending, save_record, settle
+from corollary.records.assignments import Assigned, pending, save_record, settle
 from corollary.records.corrections import Correction
 from corollary.records.files import Course
-from corollary.records.numbers import Assigned
 
 MOST_NAMED = 5
 

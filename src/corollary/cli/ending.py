@@ -31,7 +31,7 @@ RAISED = {
     "corollary.scenes.run": ["BadSetting"],
     "corollary.records.files": ["NotACourse", "BeingGraded", "UnknownStudent"],
     "corollary.records.marks": ["NothingGraded"],
-    "corollary.records.renames": ["NotSettled"],
+    "corollary.records.editions": ["NotSettled"],
     "corollary.render.exports": ["UnknownTarget"],
     "corollary.render.paper.document": ["CannotTypeset"],
     "corollary.cluster": ["NoCluster"],

@@ -21,7 +21,7 @@ from corollary.nbgrader.config import check_config
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet, bank_of_set, find_set
 from corollary.problem.roster import Student, ids_heading, read_roster
-from corollary.records.assigned import open_record, sheets
+from corollary.records.assignments import open_record, sheets
 from corollary.records.corrections import Correction, corrections
 from corollary.records.files import open_course
 from corollary.records.origin import set_of

@@ -19,10 +19,9 @@ from corollary.course.grade import Outcome, grade_set
 from corollary.grading.solutions import Solutions
 from corollary.messages import visible
 from corollary.records.files import one_writer, open_course
-from corollary.records.hand_in_time import all_guessed
 from corollary.records.origin import set_of
 from corollary.records.regrading import Change, PartChange
-from corollary.records.submission import why_unclear
+from corollary.records.submissions import all_guessed, why_unclear
 from corollary.sandbox.isolation import Isolation
 from corollary.sandbox.runner import Runner, probe_isolation
 

@@ -19,11 +19,10 @@ from corollary.grading.near_misses import accepted_text
 from corollary.nbgrader.marking import NotMarkable, give_marks, part_named, to_mark
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.table import read_table
-from corollary.records.answers_to_mark import AnswerGroup, PartToMark
 from corollary.records.files import Course, open_course, students
 from corollary.records.manual import ManualMark
 from corollary.records.marks import stored_record
-from corollary.records.near_misses import near_misses_record
+from corollary.records.near_misses import AnswerGroup, PartToMark, near_misses_record
 from corollary.records.origin import set_of
 from corollary.render.marking_page import marking_page
 

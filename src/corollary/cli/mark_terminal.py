@@ -6,8 +6,8 @@ import getpass
 from collections.abc import Callable, Sequence
 
 from corollary.messages import visible
-from corollary.records.answers_to_mark import AnswerGroup, PartToMark
 from corollary.records.manual import ManualMark
+from corollary.records.near_misses import AnswerGroup, PartToMark
 from corollary.render.wording import points, points_earned
 
 Give = Callable[[str, Sequence[str], ManualMark], None]

@@ -12,9 +12,9 @@ from corollary.problem.bank import Bank, UnknownCode, chapter_bank
 from corollary.problem.dates import in_words
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.problem_set import ProblemSet, file_of_set, find_set, set_names
+from corollary.records.assignments import read_numbers, sets_with_numbers
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, NotACourse, open_course
-from corollary.records.numbers import read_numbers, sets_with_numbers
 from corollary.records.origin import set_of
 
 

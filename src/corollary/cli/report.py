@@ -18,7 +18,7 @@ from corollary.records.report_model import Report, report_record
 from corollary.records.settings import read_settings
 
 if TYPE_CHECKING:
-    from corollary.records.set_statistics import SetStatistics
+    from corollary.records.statistics import SetStatistics
 
 
 def run(
@@ -35,7 +35,7 @@ def run(
     found = up_to_date(opened, problem_set)
     estimates = _statistics(opened, problem_set, place, found) if statistics or csv is not None else None
     if estimates is not None and csv is not None:
-        from corollary.records.set_statistics import statistics_rows
+        from corollary.records.statistics import statistics_rows
         from corollary.render.spreadsheet import table_text
 
         csv.write_text(table_text(statistics_rows(estimates)), encoding="utf-8")
@@ -65,7 +65,7 @@ def run(
 
 
 def _record(estimates: SetStatistics) -> dict[str, object]:
-    from corollary.records.set_statistics import statistics_record
+    from corollary.records.statistics import statistics_record
 
     return statistics_record(estimates)
 
@@ -75,7 +75,7 @@ def _statistics(course: Course, problem_set: ProblemSet, bank: Bank, report: Rep
     from corollary.course.drawn_numbers import drawn_keys, drawn_numbers
     from corollary.course.wrong_answers import unlisted
     from corollary.grading.solutions import Solutions
-    from corollary.records.set_statistics import set_statistics
+    from corollary.records.statistics import set_statistics
 
     marked = {row.student for row in report.rows}
     with bar("numbers drawn", len(marked)) as done:

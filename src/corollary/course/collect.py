@@ -18,23 +18,23 @@ from corollary.guard import Failure, guarded
 from corollary.messages import few
 from corollary.problem.dates import machine_zone
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.assigned import read_assigned
-from corollary.records.collected import (
+from corollary.records.assignments import read_assigned
+from corollary.records.deadlines import read_deadlines
+from corollary.records.files import Course, students
+from corollary.records.lms_names import Directory, lms_name
+from corollary.records.settings import read_settings
+from corollary.records.submissions import (
     NOBODY,
     OLDER,
     UNUSABLE,
     Arrival,
+    guessed_time,
     keep,
     read_arrivals,
     remember,
+    submissions,
     writable,
 )
-from corollary.records.deadlines import read_deadlines
-from corollary.records.files import Course, students
-from corollary.records.hand_in_time import guessed_time
-from corollary.records.lms_names import Directory, lms_name
-from corollary.records.settings import read_settings
-from corollary.records.submission import submissions
 from corollary.sandbox.archive import Member, members
 
 LONGEST = 30.0  # seconds of the processor for one file; the slowest that was met takes two

@@ -9,9 +9,9 @@ from corollary.grading.key import Key
 from corollary.grading.number_features import number_features
 from corollary.grading.solutions import Solutions
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.assigned import read_assigned
-from corollary.records.fairness import PartFeatures
+from corollary.records.assignments import read_assigned
 from corollary.records.files import Course
+from corollary.records.statistics import PartFeatures
 
 DrawnKeys = Mapping[tuple[str, str], Key]
 """By student and problem; none of numbers dealt by a solution of before which have no answer by today's."""

@@ -12,9 +12,8 @@ from corollary.notebook.worksheet import SheetPlan, Worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant, chapter
-from corollary.records.assigned import open_record, sheets
+from corollary.records.assignments import as_printed, open_record, sheets
 from corollary.records.files import Course, students
-from corollary.records.printed_dates import as_printed
 from corollary.render.exports import Target
 
 NOBODY = Student("")

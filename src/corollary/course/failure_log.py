@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import TypeVar
 
 from corollary.guard import Failure, guarded
-from corollary.records.collected import writable
 from corollary.records.files import Course
+from corollary.records.submissions import writable
 
 T = TypeVar("T")
 

@@ -13,8 +13,7 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course, students
 from corollary.records.lms_names import LmsName
 from corollary.records.manual import read_manual
-from corollary.records.marks import feedback_place, stored_record
-from corollary.records.record import with_manual
+from corollary.records.marks import feedback_place, stored_record, with_manual
 from corollary.render.feedback_notebook import feedback_notebook
 
 

@@ -21,12 +21,19 @@ from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.problem.variant import at, chapter, index_of
-from corollary.records.assigned import AssignedSheet, open_record, save_record, sheets
-from corollary.records.edition import values_now
+from corollary.records.assignments import (
+    Assigned,
+    AssignedSheet,
+    as_printed,
+    numbers_of,
+    open_record,
+    printed_date,
+    save_record,
+    sheets,
+)
+from corollary.records.editions import values_now
 from corollary.records.files import Course, create_course, one_writer
-from corollary.records.numbers import Assigned, numbers_of
 from corollary.records.origin import write_origin
-from corollary.records.printed_dates import as_printed, printed_date
 from corollary.records.settings import write_settings
 
 if TYPE_CHECKING:

@@ -29,15 +29,13 @@ from corollary.nbgrader.register import follow_points, register
 from corollary.nbgrader.source import source_notebook
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
-from corollary.records.assigned import AssignedSheet, read_assigned
-from corollary.records.causes import dependencies
+from corollary.records.assignments import AssignedSheet, read_assigned
 from corollary.records.collusion import find_shared, write_shared
 from corollary.records.deadlines import Deadlines, Terms, read_deadlines
-from corollary.records.failures import write_failures
 from corollary.records.files import Course, students
-from corollary.records.hand_in_time import GuessedTime, guessed_time, settle_time
 from corollary.records.manual import ManualMarks
 from corollary.records.marks import (
+    Record,
     page_facts_place,
     read_marks,
     read_records,
@@ -45,11 +43,19 @@ from corollary.records.marks import (
     settle,
     write_page,
 )
-from corollary.records.record import Record
-from corollary.records.regrading import Change
+from corollary.records.regrading import Change, dependencies
 from corollary.records.report_model import Report, report_of
 from corollary.records.settings import read_settings
-from corollary.records.submission import fingerprint, read_submission, submissions, unclear
+from corollary.records.submissions import (
+    GuessedTime,
+    fingerprint,
+    guessed_time,
+    read_submission,
+    settle_time,
+    submissions,
+    unclear,
+    write_failures,
+)
 from corollary.render.report_page import report_page
 from corollary.sandbox.runner import Runner
 

@@ -9,8 +9,8 @@ from itertools import pairwise
 
 from corollary.course.lms_times import Times
 from corollary.course.owner import Found
-from corollary.records.collected import GUESSED, WORKSHEET, writable
 from corollary.records.deadlines import Deadlines
+from corollary.records.submissions import GUESSED, WORKSHEET, writable
 from corollary.sandbox.archive import Member
 
 ONE_GO = 300.0  # seconds from one file to the next that an LMS writes: times that lie closer together are those of a download

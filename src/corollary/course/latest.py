@@ -9,7 +9,8 @@ from pathlib import Path
 
 from corollary.atomic import write_whole
 from corollary.course.owner import Found
-from corollary.records.collected import (
+from corollary.records.files import Course
+from corollary.records.submissions import (
     ACCEPTED,
     GUESSED,
     OLDER,
@@ -18,11 +19,10 @@ from corollary.records.collected import (
     WORKSHEET,
     Arrival,
     digest_of,
+    handed_in,
     keep,
     stamp,
 )
-from corollary.records.files import Course
-from corollary.records.submission import handed_in
 from corollary.sandbox.file import bytes_of
 
 COUNTED = (ACCEPTED, UNCHANGED)

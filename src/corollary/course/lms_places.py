@@ -10,10 +10,10 @@ from pathlib import Path
 from corollary.problem.roster import Student
 from corollary.problem.roster_columns import HEADINGS
 from corollary.problem.table import read_table
-from corollary.records.collected import read_arrivals
 from corollary.records.files import Course
+from corollary.records.lms_file import row_owners
 from corollary.records.lms_names import Directory, LmsName, canvas_file, lms_name, moodle_folder
-from corollary.records.row_owners import row_owners
+from corollary.records.submissions import read_arrivals
 
 IDENTIFIER = "identifier"
 PARTICIPANT = re.compile(r"\D+?(\d+)$")

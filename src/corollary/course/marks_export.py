@@ -9,8 +9,9 @@ from typing import Literal
 
 from corollary.course.up_to_date import up_to_date
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.assigned import read_assigned
+from corollary.records.assignments import read_assigned
 from corollary.records.deadlines import read_deadlines
+from corollary.records.editions import NotSettled
 from corollary.records.files import Course, students
 from corollary.records.lms_file import FilledIn, fill_in
 from corollary.records.marks_table import (
@@ -21,7 +22,6 @@ from corollary.records.marks_table import (
     part_columns,
     set_column,
 )
-from corollary.records.renames import NotSettled
 from corollary.render.exports import MarksText, Target
 
 By = Literal["sets", "parts", "every"]

@@ -11,8 +11,9 @@ from corollary.notebook.origin import origin
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
-from corollary.records.assigned import AssignedSheet
-from corollary.records.collected import (
+from corollary.records.assignments import AssignedSheet
+from corollary.records.lms_names import Directory, LmsName, again, lms_name
+from corollary.records.submissions import (
     NOBODY,
     UNUSABLE,
     WORKSHEET,
@@ -22,7 +23,6 @@ from corollary.records.collected import (
     stamp,
     writable,
 )
-from corollary.records.lms_names import Directory, LmsName, again, lms_name
 from corollary.sandbox.archive import Member
 from corollary.sandbox.file import Unreadable
 from corollary.sandbox.notebook import notebook_of

@@ -15,13 +15,11 @@ from corollary.nbgrader.gradebook import concerns_everybody
 from corollary.nbgrader.graded import GradedSubmission
 from corollary.nbgrader.marks import write_graded
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.causes import is_extended, is_handed_in_anew, why
 from corollary.records.deadlines import Deadlines
 from corollary.records.files import Course
 from corollary.records.manual import OfStudent
-from corollary.records.marks import read_record
-from corollary.records.record import Record, with_manual
-from corollary.records.regrading import Change, change, largest_first
+from corollary.records.marks import Record, read_record, with_manual
+from corollary.records.regrading import Change, change, is_extended, is_handed_in_anew, largest_first, why
 
 if TYPE_CHECKING:
     from nbgrader.api import Gradebook

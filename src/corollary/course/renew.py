@@ -11,12 +11,10 @@ from corollary.grading.solutions import Solutions
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.variant import Variant, first_broken, index_of
-from corollary.records.assigned import AssignedSheet
-from corollary.records.edition import fingerprint
+from corollary.records.assignments import Assigned, AssignedSheet, Row, numbers_of, otherwise_dated
+from corollary.records.editions import fingerprint
 from corollary.records.files import Course
-from corollary.records.numbers import Assigned, Row, numbers_of
-from corollary.records.printed_dates import otherwise_dated
-from corollary.records.submission import submissions
+from corollary.records.submissions import submissions
 
 
 @dataclass(frozen=True, slots=True)

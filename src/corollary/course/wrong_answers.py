@@ -15,10 +15,9 @@ from corollary.grading.key import Key
 from corollary.grading.points import share
 from corollary.problem.part import Part
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.assigned import read_assigned
+from corollary.records.assignments import read_assigned
 from corollary.records.files import Course
-from corollary.records.marks import read_marks
-from corollary.records.record import WRONG, PartRecord, Record, Row
+from corollary.records.marks import WRONG, PartRecord, Record, Row, read_marks
 from corollary.records.unlisted import DrawnLetters, SharedRule, shared_rules
 
 Marked = Mapping[str, tuple[Row, PartRecord]]

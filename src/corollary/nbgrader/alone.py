@@ -17,9 +17,9 @@ from corollary.nbgrader.manual import synchronize
 from corollary.nbgrader.marks import stale_pages
 from corollary.problem.bank import UnknownCode
 from corollary.problem.diagnostic import Malformed
+from corollary.records.editions import NotSettled
 from corollary.records.files import BeingGraded, Course, NotACourse, one_writer, open_course, students
 from corollary.records.marks import write_page
-from corollary.records.renames import NotSettled
 
 REFUSALS = (BeingGraded, NotACourse, UnknownCode, NotSettled, Malformed)
 

@@ -15,13 +15,13 @@ from corollary.grading.submission import GradingContext, Submission, state_by_na
 from corollary.messages import speak
 from corollary.notebook.worksheet import Worksheet
 from corollary.problem.bank import Bank
-from corollary.records.assigned import is_assigned, read_assigned
-from corollary.records.causes import dependencies
+from corollary.records.assignments import is_assigned, read_assigned
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, open_course, students
 from corollary.records.origin import set_of
+from corollary.records.regrading import dependencies
 from corollary.records.settings import read_settings
-from corollary.records.submission import fingerprint, read_submission, submissions
+from corollary.records.submissions import fingerprint, read_submission, submissions
 from corollary.sandbox.notebook import Notebook
 from corollary.sandbox.runner import Runner
 

@@ -32,12 +32,11 @@ from corollary.nbgrader.graded import GradedSubmission, grade_submission
 from corollary.nbgrader.marked_notebook import restored
 from corollary.nbgrader.marks import write_graded
 from corollary.nbgrader.register import follow_points
-from corollary.records.assigned import is_assigned
+from corollary.records.assignments import is_assigned
 from corollary.records.deadlines import read_deadlines
-from corollary.records.hand_in_time import GuessedTime, all_guessed, guessed_time, settle_time
 from corollary.records.manual import read_manual
 from corollary.records.origin import set_of
-from corollary.records.submission import submissions
+from corollary.records.submissions import GuessedTime, all_guessed, guessed_time, settle_time, submissions
 from corollary.sandbox.file import Unreadable, bytes_of
 from corollary.sandbox.runner import Runner
 

@@ -33,11 +33,10 @@ from corollary.atomic import write_whole
 from corollary.guard import Failure, guarded
 from corollary.messages import few
 from corollary.nbgrader.rights import FILE_RIGHTS, make_ordinary, open_for
-from corollary.records.assigned import is_assigned
-from corollary.records.collected import writable
+from corollary.records.assignments import is_assigned
 from corollary.records.files import BESIDE, Course, open_course, students
-from corollary.records.hand_in_time import beside
 from corollary.records.marks import feedback_place
+from corollary.records.submissions import beside, writable
 from corollary.sandbox.file import bytes_of
 
 INSTEAD = "give the sheets out with corollary release --to zip, mail, moodle or canvas instead"

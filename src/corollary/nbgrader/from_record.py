@@ -36,11 +36,10 @@ from corollary.problem.dates import written
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.variant import Variant
-from corollary.records.causes import TIME, changed, needs_no_run
 from corollary.records.files import Course
-from corollary.records.marks import read_record
-from corollary.records.record import Record, Row, record_of
-from corollary.records.retained import verdict_of
+from corollary.records.marks import Record, Row, read_record, record_of
+from corollary.records.regrading import TIME, changed, needs_no_run
+from corollary.records.submissions import verdict_of
 from corollary.render.feedback_facts import ExerciseFacts, PageFacts, PartFacts, packed
 from corollary.render.feedback_page import feedback_page
 from corollary.render.markdown import html

@@ -23,7 +23,7 @@ from corollary.messages import language
 from corollary.nbgrader.marked_notebook import answer_digest, marked_notebook, notebook_text, part_grades
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.manual import OfStudent
-from corollary.records.record import Record, record_of, with_manual
+from corollary.records.marks import Record, record_of, with_manual
 from corollary.render.feedback_facts import packed, page_facts, unpacked
 from corollary.render.feedback_page import feedback_page
 from corollary.sandbox.runner import Runner

@@ -29,8 +29,7 @@ from corollary.records.manual import (
     read_manual,
     write_manual,
 )
-from corollary.records.marks import graded_sets, stored_record
-from corollary.records.record import Record
+from corollary.records.marks import Record, graded_sets, stored_record
 
 if TYPE_CHECKING:
     from nbgrader.api import Comment, Grade, Gradebook, SubmittedNotebook

@@ -18,12 +18,10 @@ from corollary.nbgrader.marked_notebook import answer_cells, verbatim
 from corollary.nbgrader.marks import stale_pages, synchronized
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
-from corollary.records.answers_to_mark import AnswerGroup, PartToMark, WrittenCell
 from corollary.records.files import Course, ids_of, one_writer, students
 from corollary.records.manual import ManualMark, Place
-from corollary.records.marks import check_graded, read_marks, write_page
-from corollary.records.near_misses import near_misses
-from corollary.records.record import Record, Row
+from corollary.records.marks import Record, Row, check_graded, read_marks, write_page
+from corollary.records.near_misses import AnswerGroup, PartToMark, WrittenCell, near_misses
 from corollary.render.wording import points
 
 

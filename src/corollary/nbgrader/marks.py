@@ -15,8 +15,15 @@ from corollary.nbgrader.seen import is_as_seen, note, state
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
 from corollary.records.manual import ManualMark, ManualMarks, OfStudent, Place, read_manual, write_manual
-from corollary.records.marks import NewMarks, feedback_place, page_facts_place, stored_record, write_marks
-from corollary.records.record import changed_by_points, with_manual
+from corollary.records.marks import (
+    NewMarks,
+    changed_by_points,
+    feedback_place,
+    page_facts_place,
+    stored_record,
+    with_manual,
+    write_marks,
+)
 
 if TYPE_CHECKING:
     from nbgrader.api import Gradebook

@@ -25,11 +25,10 @@ from corollary.nbgrader.marked_notebook import answer_digest, part_grades
 from corollary.nbgrader.safe import safe_markdown
 from corollary.notebook.locate import answer_id
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.collected import stamp
 from corollary.records.files import Course
-from corollary.records.hand_in_time import beside, handed_in, stated
 from corollary.records.manual import OfStudent
-from corollary.records.record import UNMARKED, PartRecord, Record, changed_by_points, out_of_now
+from corollary.records.marks import UNMARKED, PartRecord, Record, changed_by_points, out_of_now
+from corollary.records.submissions import beside, handed_in, stamp, stated
 
 if TYPE_CHECKING:
     from nbgrader.api import Assignment, Grade, Gradebook, SubmittedAssignment, SubmittedNotebook

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.record import Record
+from corollary.records.marks import Record
 
 if TYPE_CHECKING:
     from nbgrader.api import Gradebook

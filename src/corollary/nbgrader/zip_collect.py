@@ -17,9 +17,9 @@ from nbgrader.plugins.zipcollect import ExtractorPlugin, FileNameCollectorPlugin
 from corollary.atomic import write_whole
 from corollary.guard import Failure, guarded
 from corollary.notebook.origin import origin
-from corollary.records.collected import writable
 from corollary.records.files import open_course, students
 from corollary.records.lms_names import Directory, again, file_words, lms_name
+from corollary.records.submissions import writable
 from corollary.sandbox.archive import Member, members
 from corollary.sandbox.file import bytes_of
 from corollary.sandbox.notebook import Notebook, notebook_of

@@ -20,9 +20,9 @@ from corollary.grading.solutions import Solutions
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.assigned import AssignedSheet
+from corollary.records.assignments import AssignedSheet
 from corollary.records.files import Course
-from corollary.records.record import Record
+from corollary.records.marks import Record
 
 WITHIN = (
     0.005  # narrower than any part's tolerance: copied digits agree much better, and chance hits are rarer

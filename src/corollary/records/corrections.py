@@ -1,4 +1,4 @@
-"""What was corrected in a set after it was handed out, in sentences for its instructor: what holds for those who have it."""
+"""Corrections of a set after it was handed out, in sentences for its instructor."""
 
 from __future__ import annotations
 
@@ -8,11 +8,9 @@ from dataclasses import dataclass
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.variant import first_broken
-from corollary.records.assigned import AssignedSheet
-from corollary.records.edition import Edition, derivation_of, fingerprint
+from corollary.records.assignments import Assigned, AssignedSheet, date_corrections, words_of
+from corollary.records.editions import Edition, derivation_of, fingerprint
 from corollary.records.files import Course
-from corollary.records.numbers import Assigned, words_of
-from corollary.records.printed_dates import date_corrections
 from corollary.units.unit import canonical, show, unit
 
 

@@ -12,8 +12,8 @@ import msgspec
 from corollary.atomic import write_whole
 from corollary.problem.dates import Reveal
 from corollary.problem.problem_set import ProblemSet
+from corollary.records.assignments import printed_dates
 from corollary.records.files import Course, NotACourse
-from corollary.records.printed_dates import printed_dates
 
 
 class Extension(msgspec.Struct, frozen=True):

@@ -1,4 +1,4 @@
-"""A file of marks as an LMS exports it, filled in: its columns, order, ids, encoding and delimiter stay as they are."""
+"""Files of marks as an LMS exports them, filled in: columns, ids, encoding, and whom each row is about."""
 
 from __future__ import annotations
 
@@ -11,10 +11,58 @@ from pathlib import Path
 from corollary.messages import few, visible
 from corollary.problem.cells import Cells, read_cells
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.problem.roster_columns import HEADINGS
+from corollary.problem.roster import is_nobody
+from corollary.problem.roster_columns import HEADINGS, columns_of
 from corollary.records.lms_names import Directory
 from corollary.records.marks_table import Column, MarksTable, Notation
-from corollary.records.row_owners import RowOwners, row_owners
+
+# Canvas writes a name that begins with = as a formula that gives it.
+AS_FORMULA = re.compile(r'="(.*)"$')
+
+
+@dataclass(frozen=True, slots=True)
+class RowOwners:
+    """`students` are ids by row; `by_name`: recognized by the name alone; `strangers` are rows of somebody who is not known,
+    `unclear` those whose ids contradict each other. Rows of nobody (Canvas's points, its test student) are in none."""
+
+    students: dict[int, str]
+    by_name: tuple[int, ...]
+    strangers: tuple[int, ...]
+    unclear: tuple[int, ...]
+
+
+def row_owners(
+    directory: Directory, headings: Sequence[str], rows: Sequence[tuple[int, Sequence[str]]]
+) -> RowOwners:
+    """Whom rows, each with its number, of a table with these headings are about."""
+    columns = columns_of(headings)
+    found: dict[int, str] = {}
+    by_name, strangers, unclear = list[int](), list[int](), list[int]()
+    for number, row in rows:
+
+        def cell(at: int | None, row: Sequence[str] = row) -> str:
+            return row[at] if at is not None and at < len(row) else ""
+
+        names = _names(cell(columns.name), cell(columns.first_name), cell(columns.last_name))
+        ids = {value for at in columns.ids if (value := cell(at))}
+        if is_nobody(row) or not (ids or names):
+            continue
+        meant = {student for value in ids if (student := directory.by_id(value)) is not None}
+        if not meant:
+            meant = {student for name in names if (student := directory.by_name(name)) is not None}
+            by_name += [number] if len(meant) == 1 else []
+        if len(meant) == 1:
+            found[number] = meant.pop()
+        else:
+            (unclear if meant else strangers).append(number)
+    return RowOwners(found, tuple(by_name), tuple(strangers), tuple(unclear))
+
+
+def _names(full: str, first: str, last: str) -> set[str]:
+    formula = AS_FORMULA.match(full)
+    given = formula[1] if formula else full
+    return {name for name in (given, f"{first} {last}".strip()) if name}
+
 
 # The column of Moodle's grading worksheet, in a few languages; the next one says what it is out of.
 WORKSHEET = frozenset({"grade", "bewertung", "karakter", "note", "calificación"})

@@ -1,4 +1,4 @@
-"""Near misses of reading in a graded set, grouped by part, kind and text, to be accepted for all students of a group at once."""
+"""Answers laid out for a person to mark, and near misses of reading, grouped."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from hashlib import sha256
 
-from corollary.records.record import Row
+from corollary.records.manual import ManualMark
+from corollary.records.marks import Row
 
 NUMBER = re.compile(r"\d+(?:[.,]\d+)*")
 LONGEST = 120
@@ -68,3 +69,40 @@ def in_common(text: str) -> str:
 def group_id(problem: str, part: str, kind: str, text: str) -> str:
     """Eight letters and digits."""
     return sha256("\n".join((problem, part, kind, text)).encode()).hexdigest()[:8]
+
+
+@dataclass(frozen=True, slots=True)
+class WrittenCell:
+    """What a student wrote in one cell, harmless for a page and `verbatim`, and the pictures in it or below it as data URIs."""
+
+    source: str
+    verbatim: str
+    is_code: bool
+    pictures: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AnswerGroup:
+    """Equal answers to one part, marked together: `late` counts those that came late. `given` is what a person gave all of
+    them, `again` says that it was for another answer. `near_miss` are answers, not all equal, that one other reading makes right."""
+
+    students: tuple[str, ...]
+    cells: tuple[WrittenCell, ...]
+    late: int
+    why: str
+    given: ManualMark | None
+    again: bool
+    near_miss: NearMisses | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PartToMark:
+    """One part with its answers; `key` is its name in the notebook."""
+
+    key: str
+    problem: str
+    part: str
+    title: str
+    out_of: float
+    rubric: tuple[str, ...]
+    groups: tuple[AnswerGroup, ...]

@@ -1,13 +1,21 @@
-"""What a corrected solution changes: whose points, by how much, in which parts, and why; known before anything is written."""
+"""Regrading: whose points change, by how much, and why."""
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import msgspec
 
-from corollary.records.record import PartRecord, Record
+from corollary.grading.submission import CREDIT, JUDGED_BY, LATE_SHARE, WEIGHTS, judged_by
+from corollary.records.assignments import AssignedSheet
+from corollary.records.deadlines import Deadlines, Terms
+from corollary.records.files import Course
+from corollary.records.marks import PartRecord, Record
+from corollary.records.submissions import handed_in
+from corollary.sandbox.file import bytes_of
 
 CENT = 0.005  # half of the last decimal that anybody sees
 NOTHING = PartRecord("", 0.0, 0.0)  # a part that was not there before, or is no longer
@@ -91,3 +99,79 @@ def _is_by_hand(part: PartRecord) -> bool:
 
 def _differ(one: float, other: float) -> bool:
     return abs(one - other) >= CENT
+
+
+NOTEBOOK, TIME, DEADLINE = "the notebook", "when it was handed in", "the deadline"
+_WITHOUT_A_RUN = frozenset({TIME, DEADLINE, LATE_SHARE, CREDIT, WEIGHTS})
+_POINTS_OF = "the points or the rubric of "
+
+
+def dependencies(
+    course: Course,
+    set_name: str,
+    student: str,
+    path: Path,
+    assigned: AssignedSheet,
+    terms: Terms,
+    state: Mapping[str, bytes],
+) -> dict[str, str]:
+    """What one student's marks depend on, under the names that people read: a short digest of each, and the time of handing in as
+    it is. `state` is what they share with everybody's."""
+    content = bytes_of(path, within=course.folder / "submitted")
+    found = {
+        NOTEBOOK: content if isinstance(content, bytes) else content.in_english.encode(),
+        DEADLINE: repr((terms.due and terms.due.isoformat(), terms.excused)).encode(),
+        "the numbers": assigned.numbers.encode(),
+        **({"what is called otherwise": assigned.names.encode()} if assigned.names else {}),
+        **state,
+    }
+    digests = {name: hashlib.sha256(each).hexdigest()[:12] for name, each in found.items()}
+    return digests | {TIME: str(handed_in(course, set_name, student))}
+
+
+def needs_no_run(names: Iterable[str]) -> bool:
+    """Whether marks can be given again without running the notebook a second time, these being `changed`."""
+    return all(name in _WITHOUT_A_RUN or name.startswith(_POINTS_OF) for name in names)
+
+
+def is_handed_in_anew(old: Record, depends: Mapping[str, str]) -> bool:
+    """Whether the student handed in another notebook since the marks were given, which alone says so: its time may be a file's
+    that was lost or copied."""
+    return old.depends.get(NOTEBOOK) != depends.get(NOTEBOOK)
+
+
+def is_extended(old: Record, depends: Mapping[str, str], change: Change, deadlines: Deadlines) -> bool:
+    """Whether a student's marks change by nothing but more time that this student was given, or an excuse: whoever gave it has
+    agreed to that. Time that is taken back takes marks, and is asked about."""
+    lateness_alone = not change.parts and change.out_of == change.out_of_before and change.by > 0
+    return lateness_alone and change.student in deadlines.extensions and changed(old, depends) == [DEADLINE]
+
+
+def why(old: Record, depends: Mapping[str, str]) -> str:
+    """A few words on why marks are others than before."""
+    names = changed(old, depends)
+    if not names:
+        return "nothing was changed; the notebook ran otherwise than before"
+    about: dict[str, str] = {}
+    if TIME in names:
+        now, before = (each[TIME].replace("+00:00", " UTC") for each in (depends, old.depends))
+        about[TIME] = f"{TIME} ({now}, and {before} when it was marked)"
+    return f"changed: {', '.join(about.get(name, name) for name in names)}"
+
+
+def changed(old: Record, depends: Mapping[str, str]) -> list[str]:
+    """The names of what marks depend on that are not as they were when these were given."""
+    names = [name for name in {**old.depends, **depends} if old.depends.get(name) != depends.get(name)]
+    return _exactly(names, old.depends)
+
+
+def _exactly(names: list[str], before: Mapping[str, str]) -> list[str]:
+    """Where a problem's verdicts follow from the same as before, only its points or rubric are named as changed."""
+    found: dict[str, None] = {}
+    for name in names:
+        code = name.removeprefix("the problem ").removeprefix("the solution of ")
+        if code != name and judged_by(code) in before and judged_by(code) not in names:
+            name = f"{_POINTS_OF}{code}"
+        if not name.startswith(JUDGED_BY):
+            found[name] = None
+    return list(found)

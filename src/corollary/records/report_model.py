@@ -14,17 +14,24 @@ from corollary.answers.verdict import Verdict
 from corollary.messages import visible
 from corollary.problem.dates import written
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.collected import UNUSABLE, read_arrivals, without_owner
 from corollary.records.collusion import RARE, SHARING, Shared, read_shared
 from corollary.records.deadlines import Deadlines, read_deadlines
-from corollary.records.failures import read_failures
 from corollary.records.files import Course, students
-from corollary.records.hand_in_time import guessed_time, handed_in, why_guessed
 from corollary.records.manual import ManualMarks
-from corollary.records.marks import read_marks
+from corollary.records.marks import HandedIn, Row, read_marks
 from corollary.records.near_misses import NearMisses, near_misses, near_misses_record
-from corollary.records.record import HandedIn, Row
-from corollary.records.submission import submissions, unclear, why_unclear
+from corollary.records.submissions import (
+    UNUSABLE,
+    guessed_time,
+    handed_in,
+    read_arrivals,
+    read_failures,
+    submissions,
+    unclear,
+    why_guessed,
+    why_unclear,
+    without_owner,
+)
 
 WORDS = tuple(verdict.__name__.lower() for verdict in get_args(Verdict))  # from the best to the worst
 BY_HAND = "by_hand"

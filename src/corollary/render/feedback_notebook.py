@@ -7,7 +7,7 @@ import re
 from html import unescape
 
 from corollary.messages import catalogue
-from corollary.records.record import Record
+from corollary.records.marks import Record
 from corollary.render.feedback_facts import PageFacts
 from corollary.render.feedback_page import MarkedPart, marked_exercises
 from corollary.render.wording import earned

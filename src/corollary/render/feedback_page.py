@@ -9,7 +9,7 @@ import msgspec
 from markupsafe import Markup
 
 from corollary.messages import catalogue, in_convention, spoken
-from corollary.records.record import PartRecord, Record
+from corollary.records.marks import PartRecord, Record
 from corollary.render.feedback_facts import ExerciseFacts, PageFacts, PartFacts
 from corollary.render.page import page
 from corollary.render.wording import BLANK, BY_HAND, LOOKS, Look, spell

@@ -11,7 +11,7 @@ from urllib.parse import quote
 
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.collusion import SHARING
-from corollary.records.record import HandedIn, Row
+from corollary.records.marks import HandedIn, Row
 from corollary.records.report_model import PartTally, Report
 from corollary.render.page import page
 from corollary.render.report_table import coincidences, columns, different_totals
@@ -19,7 +19,7 @@ from corollary.render.statistics_text import EFFECTS, between, in_all, percent_b
 from corollary.render.wording import BY_HAND, LOOKS
 
 if TYPE_CHECKING:
-    from corollary.records.set_statistics import SetStatistics
+    from corollary.records.statistics import SetStatistics
 
 FORMGRADER: Final = "http://localhost:8888/formgrader"
 """Where formgrader is unless somebody says otherwise."""

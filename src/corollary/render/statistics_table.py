@@ -9,7 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from corollary.messages import visible
-from corollary.records.set_statistics import SetStatistics
+from corollary.records.statistics import SetStatistics
 from corollary.records.unlisted import SharedRule
 from corollary.render.statistics_text import EFFECTS, between, in_all, percent_between
 

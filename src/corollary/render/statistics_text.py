@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 from corollary.render.wording import percent
 
 if TYPE_CHECKING:  # which bring numpy
-    from corollary.records.estimate import Estimate
-    from corollary.records.fairness import FeatureEffect
+    from corollary.records.statistics import Estimate, FeatureEffect
 
 TOO_FEW = "Too few answers to tell whether the numbers drawn made a difference."
 EFFECTS = "Numbers drawn: effect on the odds, in logits for a standard deviation"

@@ -1,26 +1,53 @@
-"""An edition of a problem: what of it was handed out, by which it is marked for ever, whatever becomes of its file."""
+"""Editions of problems: what was handed out, by which it is marked, and names that look changed since."""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Collection, Mapping
-from dataclasses import replace
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
 import msgspec
+import msgspec.structs
 
 from corollary.derive.load import NotDerivable, source
 from corollary.problem.bank import UnknownCode, bank_of
 from corollary.problem.figure import is_svg
 from corollary.problem.figure_lines import in_letters
 from corollary.problem.given import Given
-from corollary.problem.part import Part
+from corollary.problem.part import Option, Part
 from corollary.problem.pictures import packed_file
 from corollary.problem.problem import Problem
 from corollary.problem.statement import renamed
-from corollary.records.option_letters import letters_now
 from corollary.units.unit import PURE, Unit, canonical, unit
+
+
+def letters_now(before: Sequence[Option], today: Sequence[Option]) -> tuple[tuple[str, str], ...]:
+    """Each letter of the sheet with today's letter of the same option; empty where today has none.
+
+    Options are the same by their text. Of those that were reworded the ones that stayed at their letter are, and the last one left.
+    """
+    found: dict[str, str] = {}
+    left = {option.letter: _words(option) for option in today}
+    for option in before:
+        same = [letter for letter, words in left.items() if words == _words(option)]
+        if same:
+            found[option.letter] = same[0]
+            del left[same[0]]
+    rest = [option.letter for option in before if option.letter not in found]
+    for letter in rest:
+        if letter in left:
+            found[letter] = letter
+            del left[letter]
+    rest = [letter for letter in rest if letter not in found]
+    if len(rest) == len(left) == 1:
+        found[rest[0]] = next(iter(left))
+    return tuple((option.letter, found.get(option.letter, "")) for option in before)
+
+
+def _words(option: Option) -> str:
+    return " ".join(option.text.split())
 
 
 class AskedPart(msgspec.Struct, frozen=True):
@@ -212,3 +239,103 @@ def values_now(problem: Problem, edition: Edition, handed_out: Mapping[str, Frac
     gone = {symbol: value for symbol, value in handed_out.items() if symbol not in todays}
     known = gone | by_name_now
     return {given.symbol: known.get(given.symbol, given.value) for given in problem.givens}
+
+
+GONE = "-"  # in the place of a new name: it has none, somebody said so
+
+
+class NotSettled(LookupError):
+    """A name may have changed, and nobody has said whether: numbers could move; one sentence says what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rename:
+    """`what` is the problem, a given or a part; `why` is what speaks for it."""
+
+    edition: Edition
+    what: str
+    before: str
+    now: str
+    why: str
+
+    @property
+    def sentence(self) -> str:
+        of = "" if self.what == "problem" else f"{self.edition.code}: "
+        return f"{of}the {self.what} {self.before} looks renamed to {self.now} ({self.why})"
+
+
+def proposed(
+    edition: Edition, problems: Sequence[Problem], known: Iterable[str], old: Problem | None
+) -> list[Rename]:
+    """What of an edition looks renamed among today's problems; `known` are the codes that other editions go by, `old` is the
+    problem as its file was."""
+    today = next((each for each in problems if each.code == edition.code_now), None)
+    if today is not None:
+        return [*_givens(edition, today, old), *_parts(edition, today)]
+    if edition.renamed.code == GONE:
+        return []
+    elsewhere = set(known)
+    alike = [each for each in problems if each.code not in elsewhere and _alike(edition, each)]
+    if len(alike) != 1:
+        return []
+    return [Rename(edition, "problem", edition.code, alike[0].code, "the same givens and parts")]
+
+
+def _alike(edition: Edition, problem: Problem) -> bool:
+    """Whether it has the same givens in the same units, and the same parts."""
+    units = {given.symbol: canonical(given.unit) for given in problem.givens}
+    parts = [(part.id, part.title) for part in problem.parts]
+    return units == edition.units and parts == [(part.id, part.title) for part in edition.parts]
+
+
+def _givens(edition: Edition, today: Problem, old: Problem | None) -> list[Rename]:
+    have = {given.symbol for given in today.givens}
+    printed = {given.symbol: given.value for given in old.givens} if old is not None else {}
+    before = {edition.given_now(symbol): symbol for symbol in edition.units}
+    gone = [before[symbol] for symbol in before if symbol not in have and symbol != GONE]
+    new = [given for given in today.givens if given.symbol not in before]
+    found: list[Rename] = []
+    for symbol in gone:
+        alike = [
+            given
+            for given in new
+            if canonical(given.unit) == edition.units[symbol]
+            and printed.get(symbol, given.value) == given.value
+        ]
+        if len(alike) == 1:
+            found.append(Rename(edition, "given", symbol, alike[0].symbol, "the same unit and printed value"))
+    return _one_to_one(found)
+
+
+def _parts(edition: Edition, today: Problem) -> list[Rename]:
+    have = {part.id for part in today.parts}
+    before = {edition.part_now(part.id) for part in edition.parts}
+    gone = [part for part in edition.parts if edition.part_now(part.id) not in have | {GONE}]
+    new = [part for part in today.parts if part.id not in before]
+    found = [
+        Rename(edition, "part", part.id, alike[0].id, "the same title and kind of answer")
+        for part in gone
+        if len(alike := [each for each in new if (each.title, each.answer_types) == (part.title, part.types)])
+        == 1
+    ]
+    return _one_to_one(found)
+
+
+def _one_to_one(found: list[Rename]) -> list[Rename]:
+    """Without those that lead to the same new name: neither is clear."""
+    names = [each.now for each in found]
+    return [each for each in found if names.count(each.now) == 1]
+
+
+def settled(edition: Edition, renames: Iterable[Rename], *, agreed: bool) -> Edition:
+    """The edition with the names of today, or with the word that these are no renames."""
+    renamed = edition.renamed
+    for each in renames:
+        now = each.now if agreed else GONE
+        if each.what == "problem":
+            renamed = msgspec.structs.replace(renamed, code=now)
+        elif each.what == "given":
+            renamed = msgspec.structs.replace(renamed, givens=renamed.givens | {each.before: now})
+        else:
+            renamed = msgspec.structs.replace(renamed, parts=renamed.parts | {each.before: now})
+    return msgspec.structs.replace(edition, renamed=Renamed(renamed.code, renamed.givens, renamed.parts))
