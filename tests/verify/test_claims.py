@@ -66,3 +66,19 @@ def test_what_is_set_equal_measures_the_same(verified, claim, where):
     assert complaints
     assert all(each.startswith(f"cart.py:11: {where}") for each in complaints), complaints
     assert all("cannot be compared" in each for each in complaints), complaints
+
+
+@pytest.mark.parametrize(
+    ("condition", "outcome"),
+    [
+        ("Or(v < 0, t > 0)", "proven"),
+        ("Not(And(v < 0, t > 0))", "proven"),
+        ("And(Or(v < 0, t > 0), Or(p > 0, F < 0))", "proven"),
+        ("Or(v < 0, t < 0)", "counter-example"),
+        ("And(Or(v < 0, t > 0), Or(p < 0, F < 0))", "counter-example"),
+    ],
+)
+def test_what_is_always_so_joins_relations(verified, condition, outcome):
+    body = "from sympy import And, Not, Or\n" + STEPS.replace("CLAIM", f'always("it moves", {condition})')
+    (claimed,) = [each for each in verified(body).obligations if each.kind == "claimed"]
+    assert claimed.outcome == outcome
