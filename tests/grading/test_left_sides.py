@@ -83,3 +83,8 @@ def test_the_value_solved_for_is_said(key):
     assert question_of(of.variant.problem, of.variant.problem.part("c")).symbols
     verdict = judge(of, {"c": from_json("2 F = 172 N")})["c"][0][0]
     assert "2 F = 172 N gives F = 86 N" in str(verdict)
+
+
+@pytest.mark.parametrize("text", ["1,6 Ns nach oben", "1,6 Ns up", "1.6 Ns upwards", "(0; 1,6) Ns"])
+def test_a_decimal_comma_before_a_direction_parts_no_components(verdicts, text):
+    assert isinstance(verdicts("X12.7", a=text)["a"], Right)

@@ -78,6 +78,12 @@ COUNTED = (  # what is counted where a plain number is asked for
 NOUN = re.compile(rf"(?<=[0-9])\s+\(?(?:{'|'.join(COUNTED.split())})(?:s|es)?\)?\s*$", re.IGNORECASE)
 
 
+RIGHT_ANGLE = re.compile(
+    rf"\s*{ABOUT}(?:(?:one|at|ein|einen|en)\s+)*(?:right angles?|rechter winkel|rechten winkel|rett vinkel)\s*[.!]?\s*",
+    re.IGNORECASE,
+)
+
+
 def _in_degrees(found: re.Match[str]) -> str:
     """`19°6'` as `19.10°`, `19°6'30"` as `19.1083°`."""
     minutes, seconds = int(found[2]), float((found[3] or "0").replace(",", "."))
@@ -89,6 +95,8 @@ def in_digits(normalized: str, *, pure: bool) -> str:
     normalized = CROSS.sub("*", PER_CENT.sub("%", normalized))
     normalized = IN_MINUTES.sub(_in_degrees, normalized)
     if pure:
+        if RIGHT_ANGLE.fullmatch(normalized):
+            return "90°"
         normalized = NOUN.sub("", SHARE.sub("", normalized))
         text = normalized.strip().rstrip(".!")
         if found := RATIO.fullmatch(text):

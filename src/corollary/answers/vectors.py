@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -23,6 +24,7 @@ from corollary.units.unit import ONE, Unit
 _ = catalogue(__name__)
 
 Read = Numbers | Formulas | Blank | Unclear
+DECIMAL_COMMA = re.compile(r"\s*[-+−–]?\s*\d+,\d+(?:\s*[^\d\s,;][^\d,;]*)")
 
 
 def vector(value: Value, question: Question) -> Read:
@@ -106,6 +108,8 @@ def _each(items: Sequence[Value], question: Question) -> Read:
 
 def _in_one_text(text: str, question: Question) -> Read:
     count = len(question.components)
+    if DECIMAL_COMMA.fullmatch(text) and (one := _along_one_axis(text, question)) is not None:
+        return one  # `1,6 Ns upwards`
     found = read_quantities(text, question.unit, count, question.components)
     if not isinstance(found, ParseError):
         return _together([from_reading(each, question.unit) for each in found])
