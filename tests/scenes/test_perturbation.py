@@ -8,7 +8,7 @@ from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.rod import Rod
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
-from corollary.scenes.perturbation import CHANGED, perturbed
+from corollary.scenes.measure import CHANGED, perturbed
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable
 from corollary.scenes.scene import Body, Scene

@@ -14,7 +14,7 @@ from corollary.scenes import library
 from corollary.scenes.definition import SceneDefinition, settle
 from corollary.scenes.independent import SECOND_WAYS
 from corollary.scenes.run import BadSetting, Run, components
-from corollary.scenes.sound import refuse_tolerance
+from corollary.scenes.validation import refuse_tolerance
 
 
 class Library(Mapping[str, SceneDefinition]):

@@ -10,7 +10,7 @@ from typing import Any
 
 from corollary.messages import did_you_mean
 from corollary.scenes.run import BadSetting, Observed, Run
-from corollary.scenes.sound import short_text
+from corollary.scenes.validation import short_text
 
 Settings = Mapping[str, Observed]
 """By name, in SI."""

@@ -7,9 +7,9 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from corollary.scenes import measure
-from corollary.scenes.refused import is_own
 from corollary.scenes.run import Measurement, Observable, Run, components
 from corollary.scenes.scene import Scene, start_of
+from corollary.scenes.validation import is_own
 
 FAR = 100.0
 """So many times as far from the origin as from each other bodies are far: two digits are lost there, and differences of their places exact."""

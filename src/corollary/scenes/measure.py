@@ -1,22 +1,23 @@
-"""What is observed of a motion that was followed in time, with an error found from runs of other tolerances and other data."""
+"""Observables of a motion that was followed in time, with errors from runs of other tolerances and other data."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
 
+from corollary.scenes.body import starts_across
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.motion.energy import keeps_energy, kinetic
 from corollary.scenes.motion.energy_errors import conserved, energy_lost, energy_off, hottest
 from corollary.scenes.motion.follow import follow
-from corollary.scenes.motion.observe import contact_span, look, outcome, unequal
+from corollary.scenes.motion.observe import contact_span, look, outcome, state_at, unequal
 from corollary.scenes.motion.path import Trajectory
-from corollary.scenes.motion.runs_apart import BY_BODY, apart_by, largest_of_body, shares
+from corollary.scenes.motion.system import System
 from corollary.scenes.motion.turns import flat, near
-from corollary.scenes.perturbation import CHANGED, perturbed
 from corollary.scenes.progress import part
 from corollary.scenes.run import (
     COARSEST,
@@ -30,7 +31,135 @@ from corollary.scenes.run import (
     Run,
     components,
 )
-from corollary.scenes.scene import Scene, start_of
+from corollary.scenes.scene import Body, ForceBetween, Scene, overlap, pairs, place, start_of, velocity
+
+CHANGED = 1e-7
+"""The relative change of the data with which the condition is found."""
+
+
+def perturbed(scene: Scene) -> Scene:
+    """The same with masses, velocities and spins changed by about CHANGED of themselves, each in its own way.
+
+    What nothing touches starts from another place, too, by CHANGED of the size of the scene: neither the fall of a ball from rest nor
+    the way of one that flies along an axis would feel any of the others. What starts from rest stays at rest, and
+    a first body that starts across the way to the origin starts across it: its distance turns there.
+    """
+
+    def share(i: int) -> float:
+        return CHANGED * math.cos(1.0 + 2.4 * i)
+
+    long = max(abs(x) for body in scene.bodies for x in (*body.place, body.radius))
+    touched = _touched(scene, 4.0 * CHANGED * long)
+    bodies: list[Body] = []
+    for i, body in enumerate(scene.bodies):
+        if math.isinf(body.mass):
+            turned = 0.0 if math.isinf(body.resists_spin) else share(3 * i + 2)
+            bodies.append(replace(body, spin=body.spin * (1.0 + turned)))
+            continue
+        place = body.place
+        if i not in touched:
+            place = tuple(x + share(3 * i + j) * long for j, x in enumerate(place))
+        velocity = tuple(v * (1.0 + share(3 * i + j)) for j, v in enumerate(body.velocity))
+        if i == 0 and any(body.place) and starts_across(body):
+            along = sum(x * v for x, v in zip(place, velocity, strict=True)) / math.fsum(x * x for x in place)
+            velocity = tuple(v - along * x for x, v in zip(place, velocity, strict=True))
+        bodies.append(
+            replace(
+                body,
+                place=place,
+                velocity=velocity,
+                spin=body.spin * (1.0 + share(3 * i + 2)),
+                mass=body.mass * (1.0 + share(i + 7)),
+            )
+        )
+    return replace(scene, bodies=tuple(bodies))
+
+
+def _touched(scene: Scene, within: float) -> set[int]:
+    """The bodies that others, walls, strings or rods touch or hold at the start, or come as near (m) to."""
+    start = start_of(scene)
+    found: set[int] = set()
+    for constraint in System(scene).constraints:
+        if constraint.two_sided or constraint.gap(0.0, start) <= within:
+            found.update(constraint.bodies)
+    for a, b in pairs(scene):
+        if overlap(scene, start, a, b)[0] >= -within:
+            found.update((a, b))
+    return found
+
+
+BY_BODY = {Observable.VELOCITIES, Observable.TRAJECTORY, Observable.IMPULSE}
+HANDED_ON = 0.3
+"""Such a part of a body's error is another's, too, that it pulls at."""
+
+
+def shares(
+    scene: Scene,
+    rough: Trajectory,
+    right: Trajectory,
+    what: Observable,
+    times: Sequence[float],
+    sizes: dict[Observable, float],
+) -> list[float]:
+    """How far two runs are apart as a whole, body by body, in the unit of each number that is observed.
+
+    The error of a single component may pass through zero between two tolerances; that of a body's place and velocity together does
+    not. For what is not a number of each body: the largest, in units of the sizes of the scene. What fades for ever is given up at
+    other moments by both, and compared at the earlier one; what flies apart at the later one.
+    """
+    long, fast, axes = sizes[Observable.TRAJECTORY], sizes[Observable.VELOCITIES], scene.axes
+    ends = None
+    if scene.until is None:
+        ends = (min if rough.settled and right.settled else max)(rough.time, right.time)
+
+    def spread(time: float | None) -> list[float]:
+        first, second = (p.state if time is None else state_at(scene, p, time) for p in (rough, right))
+        # At a hit velocities jump, and places do not.
+        jumps = time is not None and rough.hits_before(time) != right.hits_before(time)
+        own = [
+            max(
+                math.dist(place(scene, first, i), place(scene, second, i)) / long,
+                0.0 if jumps else math.dist(velocity(scene, first, i), velocity(scene, second, i)) / fast,
+            )
+            for i in range(len(scene.bodies))
+        ]
+        return _handed_on(scene, own)
+
+    match what:
+        case Observable.VELOCITIES:
+            return [each * fast for each in spread(ends) for _ in range(axes)]
+        case Observable.TRAJECTORY:
+            return [each * long for time in times for each in spread(time) for _ in range(axes)]
+        case Observable.IMPULSE:
+            loose = [(b.mass, s) for b, s in zip(scene.bodies, spread(ends), strict=True)]
+            return [m * s * fast for m, s in loose if not math.isinf(m) for _ in range(axes)]
+        case _:
+            return [max(spread(ends))]
+
+
+def _handed_on(scene: Scene, own: Sequence[float]) -> list[float]:
+    """With what those are off that a body is tied to: they pull it along, as far as their masses can; by chance two runs may agree about it."""
+    found, masses = list(own), [body.mass for body in scene.bodies]
+    for a, b in (force.ends for force in scene.forces if isinstance(force, ForceBetween)):
+        for i, j in ((a, b), (b, a)):
+            if not math.isinf(masses[j]):
+                found[i] = max(found[i], HANDED_ON * min(1.0, masses[j] / masses[i]) * own[j])
+    return found
+
+
+def largest_of_body(scene: Scene, what: Observable, each: Sequence[float]) -> list[float]:
+    """For every component the largest of its body's, where bodies have such; otherwise of all."""
+    axes = scene.axes if what in BY_BODY else len(each) or 1
+    return [max(each[i - i % axes : i - i % axes + axes]) for i in range(len(each))]
+
+
+def apart_by(a: Observed, b: Observed) -> tuple[float, ...]:
+    """How far two values are apart, component by component; infinitely where they have not as many."""
+    first, second = components(a), components(b)
+    if len(first) != len(second):
+        return (math.inf,) * len(second)
+    return tuple(abs(x - y) if x != y else 0.0 for x, y in zip(first, second, strict=True))
+
 
 SAFETY = 1.5
 """What the difference of the two is multiplied with: it is the coarser run's error, the finer's is a tenth of it or less."""

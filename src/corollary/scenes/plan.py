@@ -24,7 +24,6 @@ from corollary.scenes.motion.energy import (
     rounding_of_energy,
 )
 from corollary.scenes.progress import with_bar
-from corollary.scenes.refused import OWN_FAILS
 from corollary.scenes.run import (
     DEARER,
     ROUNDING,
@@ -41,7 +40,7 @@ from corollary.scenes.run import (
     components,
 )
 from corollary.scenes.scene import Conserves, Scene, overlap, pairs, start_of
-from corollary.scenes.sound import refuse_tolerance, short_text
+from corollary.scenes.validation import OWN_FAILS, refuse_tolerance, short_text
 
 # Of a trajectory for which no times are asked.
 POINTS = 101

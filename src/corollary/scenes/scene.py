@@ -13,9 +13,8 @@ from enum import Flag
 
 from corollary.scenes.body import Body, nothing_moves
 from corollary.scenes.constraint import Constraint, Rub, State
-from corollary.scenes.refused import is_own, refuse_misfits, refuse_parts
 from corollary.scenes.run import BadSetting
-from corollary.scenes.unsupported import refuse_unsupported
+from corollary.scenes.validation import is_own, refuse_misfits, refuse_parts, refuse_unsupported
 
 
 class Conserves(Flag):

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from corollary.scenes.constraint import State
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, ContactForce, Scene, overlap, seen_from
-from corollary.scenes.sound import refuse_below_zero
+from corollary.scenes.validation import refuse_below_zero
 
 
 @dataclass(frozen=True, slots=True)

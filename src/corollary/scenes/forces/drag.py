@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
 from corollary.scenes.scene import Event, ForceOnOne, Pushes, Scene, velocity
-from corollary.scenes.sound import refuse_below_zero, refuse_components
+from corollary.scenes.validation import refuse_below_zero, refuse_components
 
 # Of the way to where an expansion ends, so much is a step at most.
 NEAR = 0.2

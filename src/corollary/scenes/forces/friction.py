@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import ForceOnOne, Pushes, Scene, unit_row
-from corollary.scenes.sound import refuse_components, refuse_unsound
+from corollary.scenes.validation import refuse_components, refuse_unsound
 
 
 @dataclass(frozen=True, slots=True)

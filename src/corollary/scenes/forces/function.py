@@ -6,10 +6,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
-from corollary.scenes.refused import WRITTEN_WRONG, failing, refuse_own
 from corollary.scenes.run import GuardFailed, NoForce
 from corollary.scenes.scene import Conserves, ForceOnOne, Pushes, Scene, place, start_of, velocity
-from corollary.scenes.sound import size_of
+from corollary.scenes.validation import WRITTEN_WRONG, failing, refuse_own, size_of
 
 Field = Callable[[float, Sequence[float], Sequence[float]], Sequence[float]]
 Potential = Callable[[Sequence[float]], float]

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from corollary.scenes.constraint import Constraint, State
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from, unit_row
-from corollary.scenes.sound import refuse_below_zero
+from corollary.scenes.validation import refuse_below_zero
 
 
 @dataclass(frozen=True, slots=True)

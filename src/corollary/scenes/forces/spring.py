@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.scene import Conserves, Event, ForceBetween, Pushes, Scene, State, opposite, seen_from
-from corollary.scenes.sound import refuse_below_zero
+from corollary.scenes.validation import refuse_below_zero
 
 FADING = 40.0
 """In powers of e, over the time that something takes to get stuck: less than a double tells is left of its relative velocity."""

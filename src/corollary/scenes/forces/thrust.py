@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.scene import ForceOnOne, Pushes, Scene, State
-from corollary.scenes.sound import refuse_below_zero, refuse_components
+from corollary.scenes.validation import refuse_below_zero, refuse_components
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from corollary.scenes.body import Body
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, Force, Pushes, Scene, place, unit_row
-from corollary.scenes.sound import refuse_components, refuse_unsound
+from corollary.scenes.validation import refuse_components, refuse_unsound
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from corollary.scenes.body import bounced, inside, loose
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, Event, Force, Pushes, Scene, State, place, velocity
-from corollary.scenes.sound import refuse_below_zero
+from corollary.scenes.validation import refuse_below_zero
 
 LATE = 1e-15
 """By such a part of its radius a core is met late."""

@@ -7,8 +7,7 @@ import math
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.library.spheres import pair_of
 from corollary.scenes.measure import measured
-from corollary.scenes.models.meeting import Meeting, met_within
-from corollary.scenes.models.pair import Pair, loaded_speed, refuse_too_soft
+from corollary.scenes.models.pair import Meeting, Pair, loaded_speed, met_within, refuse_too_soft
 from corollary.scenes.run import (
     ROUNDING,
     BadSetting,

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from corollary.scenes.constraint import State
 from corollary.scenes.motion.contact_forces import SLIPS
-from corollary.scenes.refused import OWN_FAILS
 from corollary.scenes.run import ROUNDING, BadSetting
 from corollary.scenes.scene import Conserves, Force, Scene, overlap, seen_from, spin, start_of, velocity
+from corollary.scenes.validation import OWN_FAILS
 
 if TYPE_CHECKING:
     from corollary.scenes.motion.system import Mode

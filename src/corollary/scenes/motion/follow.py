@@ -13,10 +13,9 @@ from corollary.scenes.constraint import farther_off
 from corollary.scenes.motion.ends import MANY, Pace, hit_in_doubt, refuse_bad_start
 from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, never_meets, used_up
 from corollary.scenes.motion.guards import Guard, Guards
-from corollary.scenes.motion.modes import Moment
+from corollary.scenes.motion.modes import Moment, drifted
 from corollary.scenes.motion.own_forces import overlooked
 from corollary.scenes.motion.path import Happening, Stretch, Trajectory
-from corollary.scenes.motion.projection import drifted
 from corollary.scenes.motion.sizes import least_squeeze, sizes_of
 from corollary.scenes.motion.steps import Stepper
 from corollary.scenes.motion.system import Mode, Slope, System

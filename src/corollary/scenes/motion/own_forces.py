@@ -12,9 +12,9 @@ import numpy as np
 from corollary.scenes.constraint import State
 from corollary.scenes.motion.isolation import POINTS, Array, coefficients
 from corollary.scenes.motion.path import Stretch
-from corollary.scenes.refused import failing
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.scene import Force, Scene
+from corollary.scenes.validation import failing
 
 LOOKS = 4000
 """So often each such force is looked at between a scene's start and end: what acts for longer than two looks are apart is seen."""

@@ -12,9 +12,9 @@ import numpy as np
 from corollary.scenes.body import nothing_moves
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.motion.contact_forces import SLIPS, Answer, Array, Item, Status, answer
-from corollary.scenes.refused import is_own
 from corollary.scenes.run import BadSetting, NoForce
 from corollary.scenes.scene import ContactForce, Scene, opposite
+from corollary.scenes.validation import is_own
 
 Slope = Callable[[float, Array], list[float]]
 
