@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from rich.table import Table
 
-from corollary.cli.console import console
+from corollary.cli.terminal import console
 
 WORDS = " ".join(f"word{number}" for number in range(60))
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from corollary.cli.foreign import first_use
+from corollary.cli.ending import first_use
 from corollary.problem.bank import chapter_bank
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from corollary.cli.commands import app
-from corollary.cli.letters import nearest
+from corollary.cli.terminal import nearest
 
 COMMAND = Path(sys.executable).with_name("corollary")
 NARROW = [

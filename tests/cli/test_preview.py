@@ -14,8 +14,8 @@ import pytest
 from click.testing import CliRunner
 
 from corollary.cli.commands import app
+from corollary.cli.local_page import edition
 from corollary.cli.preview import previewed
-from corollary.cli.saved import edition
 from corollary.problem.bank import Bank, chapter_bank, home_of_file
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.cli.progress import countdown, pace
+from corollary.cli.terminal import countdown, pace
 
 
 @pytest.mark.parametrize(

@@ -13,8 +13,8 @@ import sympy
 from click.testing import CliRunner
 
 from corollary.cli.commands import app
-from corollary.cli.saved import edition
-from corollary.cli.watch import verified
+from corollary.cli.local_page import edition
+from corollary.cli.verify import verified
 from corollary.problem.bank import Bank
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from corollary.cli.verify_report import write_report
+from corollary.cli.verify import write_report
 from corollary.problem.bank import find, open_bank
 from corollary.verify.verify import verify
 

@@ -10,9 +10,8 @@ from corollary.audit.audit import audit_each
 from corollary.audit.limited_reading import LimitedReader
 from corollary.audit.outcome import FAULTS, FINDINGS, AuditedAnswer
 from corollary.audit.readers.server_draw import ServerRuns
-from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, REFUSED, answer, counted, say
-from corollary.cli.progress import bar
+from corollary.cli.terminal import bar, console
 from corollary.messages import visible
 from corollary.problem.bank import open_bank
 

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from corollary.atomic import write_whole
-from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
+from corollary.cli.terminal import console
 from corollary.derive.solution import Solution
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import home

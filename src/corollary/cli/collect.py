@@ -7,9 +7,8 @@ from pathlib import Path
 
 from msgspec import to_builtins
 
-from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
-from corollary.cli.progress import bar
+from corollary.cli.terminal import bar, console
 from corollary.course.collect import Collected, collect
 from corollary.records.assignments import is_assigned
 from corollary.records.files import one_writer, open_course

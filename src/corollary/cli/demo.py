@@ -10,9 +10,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse
-from corollary.cli.progress import bar
+from corollary.cli.terminal import bar, console
 from corollary.course.demo.players import PLAYERS
 from corollary.course.demo.stage import Demonstration, NotFresh, Played, perform
 from corollary.extras import installing

@@ -1,4 +1,4 @@
-"""How a command ends: its exit status, and when it cannot do what it was asked one sentence, never a traceback."""
+"""The end of a command: its exit status, one sentence for what it cannot do, and questions before something is lost."""
 
 from __future__ import annotations
 
@@ -6,12 +6,49 @@ import importlib
 import json
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from errno import ENOSPC
 from pathlib import Path
 from typing import Any, NoReturn
 
 import click
+
+KNOWN = "banks-used"
+
+
+def first_use(options: Mapping[str, Any]) -> str:
+    """What to say of the banks that are used for the first time and are not the chapter's; nothing where no person reads it."""
+    if not sys.stderr.isatty():
+        return ""
+    from corollary.problem.bank import CHAPTER, VARIABLE, chapter_bank
+
+    banks = str(options["bank"] or os.environ.get(VARIABLE, "")).split(os.pathsep)
+    code = str(options.get("code") or "")
+    if not any(banks) and code.endswith(".md"):  # the bank is the folder above its problems/
+        banks = [str(above.parent) for above in Path(code).resolve().parents if above.name == "problems"][:1]
+    named = {str(Path(bank).resolve()) if Path(bank).is_dir() else bank for bank in banks if bank}
+    new = named - {CHAPTER, str(chapter_bank().folder)} - set(known())
+    if not new:
+        return ""
+    remember(new)
+    return (
+        f"{', '.join(sorted(new))}: solutions of a bank are Python programs, which run as you and may do what you may; "
+        "use banks of people you trust (said once for each bank)"
+    )
+
+
+def known() -> list[str]:
+    """The banks used before."""
+    from corollary import user_cache  # only where banks are used
+
+    return json.loads(user_cache.read(KNOWN, KNOWN) or b"[]")
+
+
+def remember(banks: set[str]) -> None:
+    from corollary import user_cache  # only where banks are used
+
+    user_cache.write(KNOWN, KNOWN, json.dumps(sorted({*known(), *banks})).encode())
+
 
 # Done; something asked for does not hold; the request is wrong; stopped by ctrl-C (128 and the signal, as shells have it).
 HOLDS, FAILS, REFUSED, STOPPED = 0, 1, 2, 130
@@ -87,7 +124,6 @@ def run(
 
 
 def _first_use(options: dict[str, Any]) -> str:
-    from corollary.cli.foreign import first_use  # only now: --help loads nothing but the command line
 
     return first_use(options)
 
@@ -151,3 +187,13 @@ def answer(document: Any) -> None:
     except UnicodeEncodeError:  # a terminal without these letters, or a file name that is not UTF-8
         text = json.dumps(document, allow_nan=False)
     print(text)
+
+
+def agreed(question: str, yes: bool) -> bool:
+    """Whether to go on. Without a terminal and without `yes` it is no, and what to do is said."""
+    if yes:
+        return True
+    if not (sys.stdin.isatty() and sys.stderr.isatty()):
+        say(f"{question} Nothing is changed; --yes agrees")
+        return False
+    return click.confirm(question, default=False, err=True)

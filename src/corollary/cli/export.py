@@ -15,7 +15,7 @@ from corollary.cli.export_options import (
     refuse_options_of_marks,
     refuse_what_is_for_others,
 )
-from corollary.cli.progress import bar
+from corollary.cli.terminal import bar
 from corollary.course.export import (
     chapters_sheet,
     owners,

@@ -9,7 +9,7 @@ from corollary.atomic import write_whole
 from corollary.cli.ending import HOLDS, answer, refuse, say, unforeseen
 from corollary.cli.export_options import ExportOptions
 from corollary.cli.open_sets import course_in, not_to_be_practised, say_broken, with_sets
-from corollary.cli.progress import bar
+from corollary.cli.terminal import bar
 from corollary.derive.load import NotDerivable
 from corollary.formula.ball import Undefined
 from corollary.grading.assign import NoVariant

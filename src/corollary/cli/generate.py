@@ -5,12 +5,9 @@ from __future__ import annotations
 from dataclasses import asdict
 from pathlib import Path
 
-from corollary.cli.asking import agreed
-from corollary.cli.console import console
-from corollary.cli.corrected import names_settled, say_corrections, say_renewals
-from corollary.cli.dates import warn_of_dates
-from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
-from corollary.cli.progress import bar
+from corollary.cli.dates import names_settled, say_corrections, say_renewals, warn_of_dates
+from corollary.cli.ending import FAILS, HOLDS, agreed, answer, refuse, say
+from corollary.cli.terminal import bar, console
 from corollary.course.generate import Generated, generate
 from corollary.course.renew import Renewals, renewals
 from corollary.course.roster import RosterChange, roster_change, students_before

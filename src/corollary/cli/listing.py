@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from corollary import plug_ins, user_cache
-from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse
+from corollary.cli.terminal import console
 from corollary.messages import did_you_mean
 from corollary.problem.bank import Bank, chapter_bank, chapter_order, files, open_bank
 from corollary.version import __version__

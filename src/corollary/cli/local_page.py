@@ -1,12 +1,29 @@
-"""A page on this machine: its address printed and opened, and served until ctrl-C."""
+"""A page on this machine, its address printed and opened, served until ctrl-C; and the files of a problem, watched for changes."""
 
 from __future__ import annotations
 
 import webbrowser
 from contextlib import suppress
+from pathlib import Path
 
 from corollary.cli.ending import say
 from corollary.course.one_page_server import OnePageServer
+from corollary.problem.bank import Bank
+from corollary.problem.pictures import pictures_of
+
+
+def edition(bank: Bank, path: Path) -> str:
+    """Tells the files of a problem apart from what they were: its own, its pictures, its solution, and the programs beside that."""
+    solution = bank.solution_beside(path)
+    beside = [*solution.parent.glob("*.py"), *solution.with_suffix("").rglob("*.py")]
+    with suppress(OSError):
+        beside += pictures_of(path)
+    states: list[str] = []
+    for each in (path, *sorted(beside)):
+        with suppress(OSError):  # an editor that moves a file into place leaves none for a moment
+            found = each.stat()
+            states.append(f"{each.name} {found.st_mtime_ns} {found.st_size}")
+    return "; ".join(states)
 
 
 def serve(server: OnePageServer, what: str, no_browser: bool) -> None:

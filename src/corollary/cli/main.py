@@ -58,7 +58,7 @@ def _status() -> int:
 
     from corollary.cli.commands import app
     from corollary.cli.ending import REFUSED, STOPPED, say
-    from corollary.cli.letters import write_whatever_comes
+    from corollary.cli.terminal import write_whatever_comes
 
     write_whatever_comes()
     try:

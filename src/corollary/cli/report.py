@@ -6,9 +6,8 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from corollary.cli.console import console
 from corollary.cli.ending import HOLDS, answer, say
-from corollary.cli.progress import bar
+from corollary.cli.terminal import bar, console
 from corollary.course.up_to_date import up_to_date
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from corollary.cli.ending import HOLDS, answer, refuse, say
-from corollary.cli.progress import steps
+from corollary.cli.terminal import steps
 from corollary.trade.measures import WANTED, label, lies_beyond, orders, reaching, record
 from corollary.trade.methods import METHODS
 from corollary.trade.race import Timing, WorkPrecision, cases, race

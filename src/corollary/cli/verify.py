@@ -1,33 +1,131 @@
-"""`corollary verify`: problems and solutions proven right, and sets of them checked."""
+"""`corollary verify`: problems and solutions proven right, and sets checked; a page of what was found; a watch on one problem."""
 
 from __future__ import annotations
 
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from corollary.cli.console import console
-from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse
-from corollary.cli.progress import bar
+from corollary.atomic import write_whole
+from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse, say
+from corollary.cli.local_page import edition
+from corollary.cli.terminal import bar, console
+from corollary.derive.load import NotDerivable
+from corollary.formula.ball import Undefined
+from corollary.grading.solutions import Solutions
 from corollary.problem.bank import Bank, bank_of, home, home_of_file, open_bank, readable
 from corollary.problem.count import written
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.front_matter import split
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import bank_of_set, find_set, set_names
+from corollary.problem.reader import read_problem
+from corollary.problem.variant import chapter
+from corollary.render.proofs_page import VerifiedProblem, proofs_page
 from corollary.verify.checked import Checked
 from corollary.verify.cluster import on_cluster
+from corollary.verify.expected_answers import unexpected
+from corollary.verify.extremes import push
 from corollary.verify.mutation.record import MutationScore
 from corollary.verify.obligations.obligation import REDRAWN, Settled
+from corollary.verify.over_the_grid import answer_plots
+from corollary.verify.programs import unstarted
 from corollary.verify.sets import CheckedSet, check_set
 from corollary.verify.side_by_side import verify_each
 from corollary.verify.unchanged import verify_changed
+from corollary.verify.verify import SLOW, Verification
 from corollary.verify.words.unread import unread_of_all
+
+
+def write_report(file: Path, todo: Sequence[tuple[Bank, Problem]], found: Sequence[Checked]) -> None:
+    """One page for all problems, in their order."""
+    pages = [
+        _of_problem(bank, problem, checked) for (bank, problem), checked in zip(todo, found, strict=True)
+    ]
+    write_whole(file, proofs_page(pages).encode())
+
+
+def _of_problem(bank: Bank, problem: Problem, checked: Checked) -> VerifiedProblem:
+    try:
+        solutions = Solutions(bank)
+        solution = solutions.of(problem)
+        worst = push(solution)
+        worked = solutions.worked_solution(chapter(problem))
+        return VerifiedProblem(
+            problem, checked, worked, tuple(answer_plots(solution)), worst.worst, worst.where
+        )
+    except (NotDerivable, Undefined):  # the complaints say why
+        return VerifiedProblem(problem, checked, "", (), 0.0, "")
+
+
+PAUSE = 0.1  # s between looks at the files
+
+
+def follow(place: Bank, path: Path, variants: int) -> int:
+    """Until ctrl-C; the algebra of what has not changed is kept from one edition to the next."""
+    say(f"watching {path.name} and its solution; ctrl-C ends it")
+    asked = False
+    try:
+        while True:
+            now = edition(place, path)
+            whole = verified(place, path, variants, now)
+            if whole is not None and not asked:
+                asked = True
+                _print(*filter(None, [unexpected(whole.problem)]))
+            while edition(place, path) == now:
+                time.sleep(PAUSE)
+    except KeyboardInterrupt:
+        return HOLDS
+
+
+def verified(place: Bank, path: Path, variants: int, now: str) -> Verification | None:
+    """Says what is wrong with this edition as soon as it is found; gives up (None) when the next one is saved, or it cannot be read."""
+    start, printed = time.perf_counter(), 0
+    try:
+        problem = read_problem(path)
+    except Malformed as error:
+        _print(*map(str, error.complaints), f"{path.stem}: cannot be read")
+        return None
+    with unstarted() as runner:
+        whole = Verification(place, problem, variants, runner)
+        for stage in whole.stages():
+            printed = _new(whole, printed)
+            if edition(place, path) != now:
+                _print(f"{problem.code}: saved again")
+                return None
+            if stage in SLOW:
+                left = ", ".join(SLOW[SLOW.index(stage) :])
+                _print(f"{_so_far(whole, start)} so far; still running: {left}")
+        _new(whole, printed)
+    _print(*(f"note: {note}" for note in whole.tally.notes))
+    if whole.tally.mutation is not None:
+        _print(*whole.tally.mutation.lines)
+    ended = "" if whole.tally.complaints else f", {whole.walked.refused:.0%} of the draws redrawn: all hold"
+    _print(f"{_so_far(whole, start)}{ended}")
+    return whole
+
+
+def _so_far(whole: Verification, start: float) -> str:
+    tally = whole.tally
+    found = counted(len(tally.complaints), "complaint") if tally.complaints else "no complaint"
+    return f"{whole.problem.code}: {found}, {sum(tally.counts.values()):,} checks in {time.perf_counter() - start:.1f} s"
+
+
+def _new(whole: Verification, printed: int) -> int:
+    """Prints the complaints that were not printed yet."""
+    _print(*whole.tally.complaints[printed:])
+    return len(whole.tally.complaints)
+
+
+def _print(*lines: str) -> None:
+    for line in lines:
+        print(line, flush=True)
+
 
 NAMED = 5  # problems in a sentence
 
@@ -50,7 +148,6 @@ def run(
             refuse(
                 "--watch follows one problem, for a person; name one code, and no other option but --variants"
             )
-        from corollary.cli.watch import follow
 
         return follow(*home_of_file(bank, codes[0]), variants)
     names = {code: place for code in codes if (place := _bank_of_set(code, bank)) is not None}
@@ -79,8 +176,6 @@ def run(
             found.append(each)
     ok = not broken and all(each.ok for each in found)
     if report is not None:
-        from corollary.cli.verify_report import write_report
-
         write_report(report, todo, found)
     if as_json:
         answer(

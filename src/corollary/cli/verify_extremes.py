@@ -6,9 +6,8 @@ import sys
 import time
 from typing import Any
 
-from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer
-from corollary.cli.progress import steps
+from corollary.cli.terminal import console, steps
 from corollary.derive.load import NotDerivable
 from corollary.derive.solve import solve
 from corollary.grading.from_json import finite

@@ -1,15 +1,33 @@
-"""Progress on long work, for people only: on a terminal, and on standard error."""
+"""The terminal: width of tables, progress on long work, and letters that it lacks."""
 
 from __future__ import annotations
 
+import codecs
+import io
+import os
 import sys
 import time
+import unicodedata
 from collections import deque
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import contextmanager
-from typing import TypeVar
+from typing import TYPE_CHECKING, Final, TypeVar
 
-from corollary.render.wording import spell
+if TYPE_CHECKING:
+    from rich.console import Console
+
+UNLIMITED: Final = 10_000
+"""Columns. A pipe has no width of its own; rich takes 80, and what does not fit would be cut off for whoever reads it there."""
+
+
+def console(*, stderr: bool = False) -> Console:
+    """A console on standard output, or on standard error."""
+    from rich.console import Console  # only by commands that print tables
+
+    stream = sys.stderr if stderr else sys.stdout
+    limited = stream.isatty() or "COLUMNS" in os.environ
+    return Console(stderr=stderr, width=None if limited else UNLIMITED)
+
 
 T = TypeVar("T")
 WINDOW = 40  # the last so many steps tell the pace
@@ -86,6 +104,48 @@ def pace(moments: Sequence[float], left: int | None) -> str:
     """Steps a second, counted from one step to another so that getting ready does not count, and how long those left will take."""
     if len(moments) < 3 or left is None:
         return ""
+    from corollary.render.wording import spell  # with formulas and catalogues, which most commands do without
+
     each = max((moments[-1] - moments[0]) / (len(moments) - 1), 1e-3)
     rate = f"{1 / each:.1f}/s" if each < 1 else f"{60 / each:.0f}/min"
     return f"{rate}, {spell(each * left)} left" if left else rate
+
+
+NEAREST = "corollary.nearest"  # the name of the way that letters are replaced, as Python's "replace" is one
+LIKE = {
+    "≈": "~", "…": "...", "–": "-", "—": "-", "−": "-", "·": "*", "×": "x", "“": '"', "”": '"', "„": '"', "’": "'", "‘": "'",
+    "≤": "<=", "≥": ">=", "≠": "!=", "→": "->", "Δ": "Delta", "π": "pi", "°": " deg", "√": "sqrt", "µ": "u", "μ": "u", "Ω": "Ohm",
+    "⁻": "^-", "∞": "inf", "\N{NO-BREAK SPACE}": " ", "\N{NARROW NO-BREAK SPACE}": " ", "■": "#", "▸": ">", "ß": "ss", "ø": "o",
+}  # fmt: skip
+
+
+def write_whatever_comes() -> None:
+    """Lets standard output and error take every text: C and cp1252 have no ≈, and a line must not end in a traceback."""
+    codecs.register_error(NEAREST, nearest)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors=NEAREST)
+
+
+def nearest(error: UnicodeError) -> tuple[str, int]:
+    """What is written for letters that cannot be: the like of them, the letter without its accent, else `?`."""
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    letters = error.object[error.start : error.end]
+    return "".join(_nearest(letter, error.encoding) for letter in letters), error.end
+
+
+def _nearest(letter: str, encoding: str) -> str:
+    for text in (LIKE.get(letter, ""), unicodedata.normalize("NFKD", letter)):
+        bare = "".join(each for each in text if not unicodedata.combining(each))
+        if bare and _has(encoding, bare):
+            return bare
+    return "?"
+
+
+def _has(encoding: str, text: str) -> bool:
+    try:
+        text.encode(encoding)
+    except UnicodeEncodeError:
+        return False
+    return True
