@@ -11,8 +11,7 @@ import pytest
 from babel import Locale
 from babel.dates import format_datetime
 
-from corollary.course.lms_times import read_times
-from corollary.course.month_names import NAMES, month
+from corollary.course.hand_in_time import NAMES, month, read_times
 from corollary.problem.diagnostic import Malformed
 from corollary.records.lms_names import LmsName
 

@@ -22,8 +22,7 @@ from corollary.problem.variant import at, chapter
 from corollary.render.exports import target
 from corollary.render.paper.document import CannotTypeset, pdf
 from corollary.render.paper.print_run import PrintRun
-from corollary.render.paper.sheet import PaperSheet, typst_sheet
-from corollary.render.paper.sheet_code import code_svg, sheet_address
+from corollary.render.paper.sheet import PaperSheet, code_svg, sheet_address, typst_sheet
 from corollary.render.paper.typst_formula import typst_formula
 from corollary.render.paper.typst_text import typst_text, words_of
 

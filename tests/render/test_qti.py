@@ -15,7 +15,7 @@ from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import at
 from corollary.render.exports import target
 from corollary.render.item import item
-from corollary.render.qti_processing import float_text
+from corollary.render.qti_item import float_text
 
 QTI = "{http://www.imsglobal.org/xsd/imsqti_v2p1}"
 SOLUTIONS = Solutions(chapter_bank())

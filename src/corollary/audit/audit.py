@@ -10,8 +10,8 @@ from functools import partial
 from queue import SimpleQueue
 
 from corollary.audit.by_problem import examine_by_problem
-from corollary.audit.derived_formula import derived_formula
 from corollary.audit.examine import cannot_say, examine
+from corollary.audit.formula_key import derived_formula
 from corollary.audit.mistaken import mistake_in
 from corollary.audit.outcome import AuditedAnswer
 from corollary.audit.readers.straight_line import shortened

@@ -1,4 +1,4 @@
-"""A published formula held against the laws as a function: for all numbers of the ranges, not at one point."""
+"""A published formula held against the laws as a function, for all numbers of the ranges."""
 
 from __future__ import annotations
 
@@ -8,8 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from corollary.answers.equality import Different, Equal, Undecided, compare, hint
-from corollary.audit.exercise import PublishedExercise, exact, quantities_apart, quantity
-from corollary.audit.identity import identical
+from corollary.audit.exercise import PublishedExercise, exact, exercise_of, quantities_apart, quantity
 from corollary.audit.outcome import AuditedAnswer
 from corollary.audit.record import StatedGiven
 from corollary.derive.roots import NoRoot
@@ -20,8 +19,49 @@ from corollary.formula.errors import ParseError, Undefined
 from corollary.formula.rational_pi import RationalPi
 from corollary.formula.syntax import author_formula, parse
 from corollary.formula.text import text
+from corollary.polynomials.polynomial import TooLarge
+from corollary.polynomials.translate import Translation
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import PURE, show, si_unit
+
+
+def identical(one: Expr, other: Expr, domain: Mapping[str, tuple[float, float]]) -> bool | None:
+    """True: the same wherever both have values. False: quotients of polynomials, and not the same. None: not decided this way.
+
+    `domain` has bounds of the letters in SI, by which the root of a square is what was squared. pi counts as a letter, which
+    is right, for no polynomial with fractions vanishes at it.
+    """
+    bounds = {name: (Fraction(low), Fraction(high)) for name, (low, high) in domain.items()}
+    try:
+        translation = Translation((one, other), bounds)
+        gap = translation.fraction(one) - translation.fraction(other)
+    except (TooLarge, Undefined, KeyError):
+        return None
+    if gap.top.is_zero():
+        return True
+    return None if translation.meanings else False
+
+
+LONGEST = 200  # characters that still tell a reader something
+
+
+def derived_formula(outcome: AuditedAnswer) -> str:
+    """The formula of the root that the outcome was compared with; "" where none is found, or it is too long to be read."""
+    exercise = exercise_of(outcome.record)
+    try:
+        roots = system_roots(exercise.laws, exercise.unknowns)
+    except NoRoot:
+        return ""
+    for root in roots:
+        values = root.at(exercise.numbers)
+        displayed = {
+            name: quantity(value, exercise.unit_of(name), 4) for name, value in (values or {}).items()
+        }
+        tree = root.formula(outcome.asked) if displayed == outcome.values else None
+        if tree is not None and len(written := text(tree)) <= LONGEST:
+            return written
+    return ""
+
 
 POINTS = 24  # of the box: at them is seen which roots the wording admits, and where a formula fails
 ANYWHERE = (Fraction(1, 10), Fraction(10))  # in the given's unit, where only that is known

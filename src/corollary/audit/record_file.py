@@ -2,21 +2,151 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+import csv
+import io
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeVar
 
-from corollary.audit.csv_rows import rows_in
 from corollary.audit.forgiven import forgiven_from
-from corollary.audit.reading import asked_from, assumed_from, given_from
-from corollary.audit.record import MOST_RECORDS, AssumedValue, ExerciseRecord, LawText, StatedGiven, WrongLaw
+from corollary.audit.record import (
+    MOST_RECORDS,
+    AskedLetter,
+    AssumedValue,
+    ExerciseRecord,
+    LawText,
+    StatedGiven,
+    WrongLaw,
+)
 from corollary.audit.text_file import text_of
 from corollary.audit.yaml_pieces import records_node
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.numerals import TO_ASCII, Written, scan_number
 from corollary.formula.syntax import author_formula
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import ListNode, Node, Reader, TableNode, TextNode
+from corollary.problem.givens import SYMBOL
 from corollary.units.constants import CONSTANTS
+from corollary.units.unit import PURE, Unit, unit
+
+SEPARATOR = ";"
+IN_WORDS = {"statement", "source", "address", "licence"}  # texts that may have a semicolon
+FIELDS = IN_WORDS | {
+    "id", "problem", "laws", "given", "asked", "published", "where", "convention", "constants", "figures", "mistakes", "forgives",
+}  # fmt: skip
+
+
+def rows_in(path: Path, source: str) -> ListNode:
+    """The rows of a file; `;` parts what has several values.
+
+    Cells are parted by commas, or by what else parts the first row: semicolons or tabs. A row that is not in order is a text in
+    place of a table. Raises Malformed where the first row is not in order.
+    """
+    first = source.partition("\n")[0]
+    parted_by = next((each for each in ",;\t" if each in first), ",")
+    reader = csv.reader(io.StringIO(source), delimiter=parted_by, strict=True)
+    items: list[Node] = []
+    line = 1
+    try:
+        header = [each.strip().lower() for each in next(reader, list[str]())]
+        if twice := sorted(name for name in set(header) if name and header.count(name) > 1):
+            raise Malformed([Diagnostic(path, 1, f"has two columns `{twice[0]}`")])
+        if unknown := sorted(set(header) - FIELDS - {""}):
+            known = ", ".join(sorted(FIELDS))
+            raise Malformed([Diagnostic(path, 1, f"column `{unknown[0]}` is not known; known are {known}")])
+        while (cells := next(reader, None)) is not None:
+            line = reader.line_num
+            if any(cell.strip() for cell in cells):
+                items.append(_row(header, cells, line))
+    except csv.Error as error:
+        if not items:
+            raise Malformed([Diagnostic(path, line + 1, f"is no CSV: {error}")]) from None
+        items.append(TextNode(f"is no CSV from here on, and is not read to its end: {error}", line + 1))
+    return ListNode(tuple(items), 1)
+
+
+def _row(header: Sequence[str], cells: Sequence[str], line: int) -> TextNode | TableNode:
+    if len(cells) > len(header) and any(cell.strip() for cell in cells[len(header) :]):
+        why = "has more cells than the first row; put a cell with a comma into quotation marks"
+        return TextNode(why, line)
+    entries: dict[str, Node] = {}
+    for name, cell in zip(header, cells, strict=False):
+        pieces = [TextNode(each.strip(), line) for each in cell.split(SEPARATOR) if each.strip()]
+        if not pieces:
+            continue
+        if name == "given":
+            parted = [each.text.partition("=") for each in pieces]
+            letters = [left.strip() for left, _, _ in parted]
+            if len(set(letters)) < len(letters):
+                return TextNode(f"gives a letter twice: {cell.strip()}", line)
+            entries[name] = TableNode(
+                {left.strip(): TextNode(right.strip(), line) for left, _, right in parted}, line
+            )
+        elif name in IN_WORDS:
+            entries[name] = TextNode(cell.strip(), line)
+        else:
+            entries[name] = ListNode(tuple(pieces), line) if len(pieces) > 1 else pieces[0]
+    return TableNode(entries, line)
+
+
+RANGE = re.compile(r"\s*(\S+?)\s*(?:\.\.|…)\s*(.+)")
+LETTER = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
+ASSUMED = re.compile(r"\s*([A-Za-z][A-Za-z0-9_]*)\s*=\s*(.+)")
+OR = re.compile(r"\s*(?:,|\bor\b)\s*")
+
+
+def given_from(symbol: str, text: str) -> StatedGiven:
+    """`2 kg`, `2..5 kg`, `30 deg`, `0.25`, or a unit alone. Raises ValueError with a sentence."""
+    if not SYMBOL.match(symbol):
+        raise ValueError(f"{symbol!r} is no letter; use a letter, then letters, digits or _")
+    typed = text.translate(TO_ASCII).strip()
+    spread = RANGE.fullmatch(typed)
+    if spread is not None:
+        low, _ = _number(spread[1], text)
+        high, rest = _number(spread[2], text)
+        if not low.value < high.value:
+            raise ValueError(f"{text!r} is no range: the smaller number comes first, as in 2..5 kg")
+        return StatedGiven(symbol, _unit(rest), low.value, high.value)
+    if re.match(r"1\s*/\s*[^\d\s.,]", typed) or not re.match(r"[-+]?\s*[\d.,½⅓⅔¼¾]", typed):
+        return StatedGiven(symbol, unit(typed), None, None)
+    number, rest = _number(typed, text)
+    return StatedGiven(symbol, _unit(rest), number.value, number.value, number.figures)
+
+
+def asked_from(text: str) -> AskedLetter:
+    """`v`, or `v in km/h`. Raises ValueError with a sentence."""
+    letter, mark, its_unit = text.strip().partition(" in ")
+    if not LETTER.match(letter.strip()):
+        raise ValueError(
+            f"{text!r} asks for no letter; write one of the laws' letters, as in `v` or `v in km/h`"
+        )
+    return AskedLetter(letter.strip(), unit(its_unit.strip()) if mark else None)
+
+
+def assumed_from(text: str) -> AssumedValue | None:
+    """`g = 9.8 m/s^2`, `g = 9.8 or 9.81 m/s^2`; None for a convention in words. Raises ValueError with a sentence."""
+    found = ASSUMED.fullmatch(text)
+    if found is None or re.search(r"\d", found[2]) is None:
+        return None
+    *others, last = OR.split(found[2].strip())
+    number, rest = _number(last, text)
+    values = [_number(each, text)[0].value for each in others]
+    return AssumedValue(found[1], _unit(rest), (*values, number.value))
+
+
+def _number(text: str, whole: str) -> tuple[Written, str]:
+    found = scan_number(text.strip())
+    if isinstance(found, ParseError):
+        raise ValueError(f"{whole!r}: {sentence(found)}")
+    number, end = found
+    return number, text.strip()[end:].strip()
+
+
+def _unit(text: str) -> Unit:
+    return unit(text) if text else PURE
+
 
 LAST_LINE = 1 << 31
 OF_A_FILE = ("source", "address", "licence")

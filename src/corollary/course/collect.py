@@ -9,10 +9,9 @@ from functools import cache, partial
 from pathlib import Path
 
 from corollary.course.failure_log import FailureLog
-from corollary.course.hand_in_time import dated
+from corollary.course.hand_in_time import Times, dated, read_times
 from corollary.course.latest import Past, counting, settled
 from corollary.course.lms_places import worksheet_numbers
-from corollary.course.lms_times import Times, read_times
 from corollary.course.owner import LATER, Found, directory_of, identified
 from corollary.guard import Failure, guarded
 from corollary.messages import few

@@ -1,4 +1,4 @@
-"""Pyodide, Python for browsers, as scripts that a page can load where nothing can be fetched: from a folder or a USB stick."""
+"""Pyodide, Python for browsers, fetched from npm and written as scripts that a page loads without a network."""
 
 from __future__ import annotations
 
@@ -8,13 +8,35 @@ import json
 import os
 import shutil
 import subprocess
+import tarfile
 import tempfile
 from collections.abc import Mapping, Sequence
 from importlib.resources import as_file, files
 from pathlib import Path
 from typing import Any
 
-from corollary.render.npm import NoNpm, NotFetched, unpacked
+
+class NotFetched(LookupError):
+    """npm has no such package, or no network."""
+
+
+class NoNpm(LookupError):
+    """npm is not installed."""
+
+
+def unpacked(package: str, place: Path) -> Path:
+    """The folder of a package (`name@version`), unpacked into the empty folder `place`. Raises NoNpm, NotFetched."""
+    npm = shutil.which("npm")
+    if npm is None:
+        raise NoNpm(package)
+    done = subprocess.run([npm, "pack", package, "--silent"], cwd=place, capture_output=True, check=False)
+    packed = next(place.glob("*.tgz"), None)
+    if done.returncode or packed is None:
+        raise NotFetched(package)
+    with tarfile.open(packed) as archive:
+        archive.extractall(place, filter="data")
+    return place / "package"
+
 
 VERSION = "314.0.7"
 LOADER, PROGRAM, BINARY, LIBRARY, LOCK = (

@@ -15,7 +15,7 @@ from corollary.render.exports import CarriedPart, ItemFiles, Target
 from corollary.render.item import ChoiceAsked, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
 from corollary.render.page import drawing_file
 from corollary.render.pictures import as_files
-from corollary.render.qti_text import block, inline
+from corollary.render.qti_item import block, inline
 from corollary.render.targets.feedback_zip import write_archive
 from corollary.render.tex_html import tex_html
 from corollary.render.typed_scale import TypedScale, typed_scale

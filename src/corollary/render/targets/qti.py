@@ -13,8 +13,7 @@ from corollary.render.exports import CarriedPart, ItemFiles, Target
 from corollary.render.item import ChoiceAsked, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
 from corollary.render.page import drawing_file
 from corollary.render.pictures import as_files
-from corollary.render.qti_processing import float_text, processing
-from corollary.render.qti_text import block, inline
+from corollary.render.qti_item import block, float_text, inline, processing
 from corollary.render.targets.feedback_zip import write_archive
 from corollary.units.unit import show
 
