@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from corollary.answers.name import is_name, is_talk
+from corollary.answers.quantity import read_quantity
 from corollary.answers.questions import question_of
 from corollary.answers.read_case import read_case
 from corollary.answers.verdict import Right
+from corollary.formula.errors import ParseError
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 
@@ -88,3 +91,151 @@ def test_the_value_solved_for_is_said(key):
 @pytest.mark.parametrize("text", ["1,6 Ns nach oben", "1,6 Ns up", "1.6 Ns upwards", "(0; 1,6) Ns"])
 def test_a_decimal_comma_before_a_direction_parts_no_components(verdicts, text):
     assert isinstance(verdicts("X12.7", a=text)["a"], Right)
+
+
+@pytest.mark.parametrize(
+    "side",
+    [
+        "F_av",
+        "Answer",
+        "Deltap",
+        "F_m",
+        "F_{avg}",
+        "Fx",
+        "F̄",
+        "K1",
+        "Loss",
+        "Verlust",
+        "alpha",
+        "dK",
+        "dp",
+        "decrease",
+        "delta_max",
+        "drop",
+        "omega",
+        "v'",
+        "vA",
+        "vA'",
+        "v_A1",
+        "vA1",
+        "v_son",
+        "v₂",
+        "x-component",
+        "|Δp|",
+        "Δpx",
+        "∑F",
+        "⟨F⟩",
+        "E_kin",
+        "Ekin",
+        "p_tot",
+        "Fnet",
+        "Fmean",
+        "F_N",
+        "K_0",
+        "Ek",
+        "KE",
+        "beta",
+        "eta",
+        "zeta",
+        "v(t)",
+        "vCM",
+        "speed",
+    ],
+)
+def test_a_letter_with_an_index_and_a_word_are_names(side):
+    assert is_name(side)
+
+
+@pytest.mark.parametrize(
+    "side",
+    [
+        "cosθ",
+        "sinθ",
+        "costheta",
+        "Cosθ",
+        "arccosθ",
+        "lnθ",
+        "sqrtθ",
+        "|cosθ|",
+        "Lθ",
+        "ωθ",
+        "mtheta",
+        "½F",
+        "F½",
+        "F3",
+        "Fv",
+        "Ft",
+        "FΔt",
+        "mF",
+        "dF",
+        "lnF",
+        "expF",
+        "absF",
+        "mv",
+        "lnu",
+        "mgh",
+        "Fdt",
+        "half",
+        "minus",
+        "negative",
+        "not",
+        "wrong",
+        "Double",
+        "halv",
+        "doppelt",
+        "Sin(x)",
+    ],
+)
+def test_what_is_glued_and_a_word_of_change_are_none(side):
+    assert not is_name(side)
+    assert not is_talk(side)
+
+
+@pytest.mark.parametrize(
+    "side", ["half the force", "twice F", "minus F", "the force times two", "not F", "halve kraften"]
+)
+def test_words_of_change_are_no_talk(side):
+    assert not is_talk(side)
+
+
+@pytest.mark.parametrize(
+    ("code", "part", "text"),
+    [("E12.5.1", "d", f"{side}= 0.748") for side in ("cosθ", "sinθ ", "costheta ", "|cosθ| ", "sqrtθ ", "Lθ ", "mθ ")]
+    + [("E12.5.1", "d", "cosθ: 0.748"), ("T12.3", "a", "mv = 8.85"), ("T12.3", "a", "lnv = 8.85")]
+    + [("X12.5", "c", f"{side} = 86 N") for side in ("½F", "F½", "F3", "Fv", "FΔt", "mF", "dF", "lnF", "half F", "half the force", "minus F")]
+    + [("X12.5", "c", f"{word}: 86 N") for word in ("negative", "not", "wrong", "Half", "Double")]
+    + [("X12.1", "a", f"{side} = 2v") for side in ("mu", "uM", "lnu", "v")]
+    + [("S12.2", "a", f"{side} = (7.5, -10)") for side in ("-p", "2p", "p/2", "p^2", "1/p", "|p|", "p + q", "half p", "cosp")]
+    + [("S12.2", "a", "p_x = 7.5, p_z = -10"), ("S12.2", "a", "p_x = 7.5, 2p_y = -10"), ("S12.2", "a", "(p_y; p_x) = (7.5; -10)")]
+    + [("S12.5el", "c", "K_A/K_B = 0.96"), ("X12.9", "c", "J_s/J_e = 2"), ("X12.9", "c", "I2/I1 = 2"), ("X12.9", "c", "v_el/v_st = 2")]
+    + [("E12.5.1", "b_rel", "K0/ΔK = -0.990"), ("E12.5.1", "b_rel", "K1/K0 = -0.990")]
+    + [("X12.5", "a", f"{before} - {after} = 8.6 kg m/s") for before, after in (("p0", "p1"), ("p_i", "p_f"), ("p_before", "p_after"), ("p", "p'"))],
+)  # fmt: skip
+def test_another_left_side_earns_nothing_unseen(key, code, part, text):
+    assert not isinstance(judge(key(code), {part: from_json(text)})[part][0][0], Right)
+
+
+@pytest.mark.parametrize(
+    ("code", "part", "text"),
+    [
+        ("X12.9", "c", "J_e/J_s = 2"),
+        ("S12.5el", "c", "K_B/K_A = 0.96"),
+        ("E12.5.1", "b_rel", "ΔK/K0 = -0.990"),
+        ("X12.5", "a", "p_f - p_i = 8.6 kg m/s"),
+        ("S12.2", "a", "(p_y; p_x) = (-10; 7.5)"),
+        ("S12.2", "a", "p = (7.5; -10)"),
+        ("X12.5", "c", "½F = 43 N"),
+        ("X12.1", "a", "u = 2v"),
+    ],
+)
+def test_a_left_side_that_stands_for_the_answer_is_read(key, code, part, text):
+    assert isinstance(judge(key(code), {part: from_json(text)})[part][0][0], Right)
+
+
+def test_the_letter_of_another_body_is_asked_about(key):
+    of = key("S12.5gen")
+    problem = of.variant.problem
+    question = question_of(problem, problem.part("a"))  # the velocity of A
+    for side, another in (("v_B", True), ("v_B'", True), ("vB1", True), ("v_A'", False), ("v", False)):
+        found = read_quantity(f"{side} = -3.56 m/s", question.unit, question)
+        assert isinstance(found, ParseError) is another

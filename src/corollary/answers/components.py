@@ -6,7 +6,8 @@ import re
 from collections.abc import Sequence
 from itertools import pairwise
 
-from corollary.answers.preamble import answer_in
+from corollary.answers.name import is_name, is_talk
+from corollary.answers.preamble import Bare, answer_in
 from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.messages import catalogue
 from corollary.units.unit import read_unit
@@ -218,10 +219,18 @@ def _is_unit(text: str) -> bool:
 def _in_order(pieces: list[str], names: Sequence[str]) -> list[str] | ParseError:
     """`p_y = 4, p_x = 3` in the order asked for; pieces that do not all name a component stay as they are."""
     placed: dict[int, str] = {}
+    labels = [label["name"] for piece in pieces if (label := NAMED.match(piece))]
     for piece in pieces:
         place = place_named(piece, names)
+        if place is None and placed and len(labels) == len(pieces):
+            which = next(label for label in labels if place_named(f"{label} = ", names) is None)
+            why = _("{component} is none of the components {names}", component=which, names=", ".join(names))
+            return ParseError("asked", why, None, _("write them as (3; 4) m/s"))
         if place is None:
             return pieces
+        if (label := NAMED.match(piece)) and not is_name(label["name"]):
+            why = _("{side} stands on the left, not the answer alone", side=label["name"])
+            return ParseError("asked", why, None, _("write the components alone"))
         if place in placed:
             return refused(_("{component} is given twice", component=names[place]))
         placed[place] = (
@@ -298,17 +307,30 @@ def _after_unit(text: str) -> tuple[str, str]:
     return "", text
 
 
-def without_preamble(normalized: str) -> tuple[str, int]:
-    """A vector without what leads up to it; names of its components stay."""
+def without_preamble(normalized: str) -> Bare:
+    """A vector without what leads up to it, and its left sides; names of its components stay."""
     led = LED.match(normalized)
     if led and led.end() < len(normalized):
-        rest, skipped = without_preamble(normalized[led.end() :])
-        return rest, skipped + led.end()
+        rest = without_preamble(normalized[led.end() :])
+        side = led[0].strip().rstrip("=≈~").strip()
+        return Bare(rest.text, rest.skipped + led.end(), (side, *rest.sides) if side else rest.sides)
     return (
-        (normalized, 0)
-        if "," in normalized.split("=")[0] or len(re.findall(r"[=:]", normalized)) > 1 or _labels(normalized)
-        else answer_in(normalized)[:2]
+        Bare(normalized, 0, ())
+        if re.search("[,;]", normalized.split("=")[0])
+        or len(re.findall(r"[=:]", normalized)) > 1
+        or _labels(normalized)
+        else answer_in(normalized)
     )
+
+
+def unread_side(sides: Sequence[str], names: Sequence[str]) -> ParseError | None:
+    """What is asked about a left side of a vector that is no name of it: `-p = (3; 4)`, `|p| = (3; 4)`."""
+    for side in sides:
+        size = side.strip().startswith("|")
+        if size or not (is_name(side) or is_talk(side) or place_named(f"{side} = ", names) is not None):
+            why = _("{side} stands on the left, not the answer alone", side=side.strip())
+            return ParseError("asked", why, None, _("write the components alone"))
+    return None
 
 
 def _labels(normalized: str) -> bool:

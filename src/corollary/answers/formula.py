@@ -11,12 +11,12 @@ from corollary.answers.left_side import (
     as_formula,
     gives_what_is_asked,
     is_another_given,
-    is_name,
     named,
     solvable,
     unknown_letter,
 )
 from corollary.answers.motion_words import motion_in_number
+from corollary.answers.name import is_name, keyboard
 from corollary.answers.number_words import product_in_signs
 from corollary.answers.preamble import answer_in
 from corollary.answers.question import Question
@@ -96,7 +96,10 @@ def _trouble_with(
     if len(sides) == 1 and question is not None and is_another_given(sides[0], question.unit, question):
         why = _("{letter} is given, and is not what is asked for", letter=sides[0].strip())
         return ParseError("asked", why, None, _("write the formula alone"))
-    if not sides or named(sides):
+    if len(sides) == 1 and (letter := keyboard(sides[0]).strip()) in names(tree):
+        why = _("{letter} stands on both sides", letter=letter)
+        return ParseError("asked", why, None, _("write the formula alone"))
+    if not sides or named(sides, question):
         return None
     for side in sides:
         same = parse(side, letters)
@@ -162,7 +165,7 @@ def fitting(text: str, question: Question) -> Expr | Unclear | None:
 def _solved(text: str, question: Question) -> Unclear | None:
     """`2*F = m*v/dt`, solved for the letter that is no given; None where the left side is something else."""
     bare, _skipped, sides = answer_in(by_hand(text).translate(TO_ASCII))
-    found = solvable(sides[0]) if len(sides) == 1 and not is_name(sides[0]) else None
+    found = solvable(sides[0], question) if len(sides) == 1 and not is_name(sides[0], question) else None
     tree = _right_side(bare, question.symbol_names, question.unit, "ask") if found else None
     if (
         found is None

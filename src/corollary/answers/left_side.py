@@ -9,28 +9,17 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 
+from corollary.answers.name import SYMBOL, apart, is_name, is_talk, keyboard
 from corollary.answers.question import Question
 from corollary.formula.abbreviations import function_words
 from corollary.formula.ast import Expr, Number, Product, Quotient
 from corollary.formula.ast import names as letters_of
 from corollary.formula.errors import ParseError
-from corollary.formula.symbols import GREEK, LOWERED
+from corollary.formula.symbols import GREEK
 from corollary.formula.syntax import parse
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import ONE, Dimension, Unit, unit
 
-MARKS = "̄⃗̂̇̃̅"  # bars, arrows, hats and dots above a letter
-INDEX = r"(?:_\{[^{}=]{1,16}\}|_\([^()=]{1,16}\)|\[[0-9A-Za-z]{1,2}\]|[^\W²³¹⁰⁴-⁹⁻]|[₀-₉ₐ-ₜ]|['⁎]|\*(?!\s*[\w(.]))"
-SYMBOL = (
-    rf"(?:(?:delta|Delta|[Δ∆∑ΣδdD])\s*(?=[^\W\d_]))?[^\W\d_][{MARKS}]*{INDEX}{{0,15}}[{MARKS}]*(?:-[^\W\d_]{{3,12}})?"
-    r"(?:,[^\W\d_]{1,3})?"
-)
-# `v(t)`, `F(y = 0.6 m)`: a function of its own letter, which is a name; `m(v + w)` is a product.
-CALLED = r"(?:\s*\((?:[txyz0]|\s*[^\W\d_]\w*\s*=[^()=]*)\))?"
-NAME = re.compile(
-    rf"\s*(?:{SYMBOL}{CALLED}|\|\|?\s*{SYMBOL}\s*\|\|?|<\s*{SYMBOL}\s*>|⟨\s*{SYMBOL}\s*⟩|\[{SYMBOL}\])\s*"
-)
-WORD = re.compile(rf"{SYMBOL}|\([^\W\d_]\w?\)|[^\W\d_]+['’.]?s?")
 NUMBER = r"[0-9]+(?:[.,][0-9]+)?(?:\s*/\s*[0-9]+)?"
 MULTIPLE = re.compile(
     rf"\s*(?P<sign>[-+]?)\s*(?:(?P<factor>{NUMBER})\s*\*?\s*)?(?P<name>{SYMBOL}?)(?:\s*/\s*(?P<divisor>[0-9]+(?:[.,][0-9]+)?)|\s*\*\s*(?P<behind>{NUMBER}))?\s*"
@@ -43,6 +32,15 @@ CHANGE = re.compile(
     r"\b(?:change|changes|difference|increase|decrease|gain|loss|impulse|änderung|\w*änderung|differenz|zunahme|abnahme|kraftstoß|endring|forskjell)\b",
     re.IGNORECASE,
 )
+GIVEN_AWAY = re.compile(
+    r"\b(?:give|gives|given|pass\w*|hand\w*|transfer\w*|gibt|abgibt|gir|overfør\w*)\b", re.IGNORECASE
+)
+RATIO = re.compile(rf"\s*(?P<one>{SYMBOL})\s*/\s*(?P<other>{SYMBOL})\s*")
+# An index, and that of the same letter later: only so a difference is a change, and a quotient what is left.
+LATER = frozenset(
+    {("0", "1"), ("1", "2"), ("0", "2"), ("", "1"), ("", "2"), ("i", "f"), ("initial", "final"), ("before", "after"), ("", "'"),
+     ("vor", "nach"), ("vorher", "nachher"), ("før", "etter"), ("", "after"), ("", "final"), ("", "f"), ("0", "f"), ("0", "")}
+)  # fmt: skip
 DIFFERENCE = re.compile(rf"\s*(?P<one>{SYMBOL})\s*-\s*(?P<other>{SYMBOL})\s*")
 # What a letter usually stands for, where nobody says: only to tell `m v = 8.6 kg m/s` (its formula) from `F dt = 86 N`.
 CUSTOMARY: dict[str, str] = {
@@ -61,34 +59,21 @@ class Solved:
     function: str = ""
 
 
-def is_name(side: str) -> bool:
-    """True for one letter or name, with Δ, an index, bars or its argument: `Δp`, `v_B'`, `|F|`, `x(t)`; not for a function."""
-    found = NAME.fullmatch(side)
-    return found is not None and side.partition("(")[0].strip() not in function_words()
-
-
-def is_talk(side: str) -> bool:
-    """True for words such as `change in momentum`; a function's name (`sin theta`) or letters side by side (`m v`) are none."""
-    words = side.replace(",", " ").split()
-    if not all(WORD.fullmatch(word) for word in words) or set(words) & function_words().keys():
-        return False
-    return any(len(word) > 2 and word.isalpha() and word not in GREEK.values() for word in words)
-
-
-def solvable(side: str) -> Solved | None:
+def solvable(side: str, question: Question | None = None) -> Solved | None:
     """The one letter of a left side that is a multiple, a reciprocal or an invertible function of it."""
-    if (found := INVERSE.fullmatch(side)) is not None:
+    side = apart(side)
+    if (found := INVERSE.fullmatch(side)) is not None and is_name(found["name"], question):
         return Solved(found["name"], function="1/")
     if (found := MULTIPLE.fullmatch(side)) is not None and found["name"]:
         if found["factor"] and found["behind"]:
             return None
         size = _ratio(found["factor"] or found["behind"] or "1") / _ratio(found["divisor"] or "1")
         size = -size if found["sign"] == "-" else size
-        return Solved(found["name"], 1 / size) if size and not _is_function(found["name"]) else None
+        return Solved(found["name"], 1 / size) if size and is_name(found["name"], question) else None
     if (found := CALL.fullmatch(side)) is not None:
         function = "sqrt" if found["function"] == "√" else function_words().get(found["function"], "")
         name = found["inside"] or found["bare"] or found["root"]
-        return Solved(name, function=function) if function in INVERSES and not _is_function(name) else None
+        return Solved(name, function=function) if function in INVERSES and is_name(name, question) else None
     return None
 
 
@@ -102,11 +87,6 @@ def _square(value: float) -> float:
 
 def _reciprocal(value: float) -> float:
     return 1 / value
-
-
-def _keyboard(run: str) -> str:
-    """The letters of a name as they are typed: `theta` of θ, `v2` of v₂."""
-    return "".join(GREEK.get(each) or LOWERED.get(each, each) for each in run)
 
 
 INVERSES: dict[str, Callable[[float], float]] = {
@@ -128,10 +108,9 @@ def solved_value(found: Solved, value: float) -> float | None:
 def gives_what_is_asked(side: str, expected: Dimension, question: Question | None) -> Expr | bool:
     """The formula of the givens alone that stands for the answer; True for a product in customary letters of its dimension."""
     if question is not None and CHANGE.search(question.title) and (between := DIFFERENCE.fullmatch(side)):
-        one, other = (
-            re.sub(rf"[\W\d_{''.join(LOWERED)}].*", "", between[each].strip()) for each in ("one", "other")
-        )
-        return bool(one) and one[0] == other[:1]
+        return _is_later(between["one"], between["other"])
+    if (over := RATIO.fullmatch(side)) is not None and expected == ONE:
+        return _is_over(over["one"], over["other"], question)
     givens = question.dimensions if question is not None else {}
     tree = parse(side, givens) if givens else None
     if tree is not None and not isinstance(tree, ParseError) and letters_of(tree) - {"pi"}:
@@ -143,17 +122,58 @@ def gives_what_is_asked(side: str, expected: Dimension, question: Question | Non
     used = sorted(letters_of(tree) - {"pi"})
     if len(used) < 2:
         return False
-    if isinstance(tree, Quotient) and expected == ONE and len({_base(name) for name in used}) == 1:
-        return True  # K_B/K_A
+    if isinstance(tree, Quotient) and expected == ONE:
+        return False  # nobody says which is asked over which
     customary = {name: _dimensions()[base] for name in used if (base := _base(name)) in CUSTOMARY}
     return len(customary) == len(used) and dimension_of(tree, {**customary, **givens}) == expected
+
+
+def _is_later(one: str, other: str) -> bool:
+    """True if both are the same letter, the first later than the second: `p_1` and `p_0`, `K'` and `K`."""
+    first, second = (re.sub(r"[\s_{}()]", "", keyboard(each)) for each in (one, other))
+    return first[:1] == second[:1] and (second[1:], first[1:]) in LATER
+
+
+def _is_over(one: str, other: str, question: Question | None) -> bool:
+    """True if a quotient of one kind of thing stands as the question asks for it: `ΔK/K`, `K1/K0`, `J_e/J_s`, `K_B/K_A`."""
+    first, second = (re.sub(r"[\s_{}()]", "", keyboard(each)) for each in (one, other))
+    if changed := re.match(r"Delta|delta|d(?=[A-Za-z])", first):
+        return first[changed.end() :][:1] == second[:1] and second[1:] in (
+            "",
+            "0",
+            "i",
+            "before",
+            "initial",
+            "1",
+        )
+    letters = set(question.symbol_names) if question else set[str]()
+    if first[:1] != second[:1] or first[:1] in letters:
+        return False
+    if question is None or not question.ratio:
+        return False
+    if (second[1:], first[1:]) in LATER - {("1", "2")}:
+        return CHANGE.search(question.title) is None
+    top, bottom = (_place(index[1:], question.ratio) for index in (first, second))
+    if top is None or bottom is None or top == bottom:
+        return False
+    return top > bottom if GIVEN_AWAY.search(question.ratio) else top < bottom
+
+
+def _place(index: str, words: str) -> int | None:
+    """Where the body or kind with this index is spoken of first: `e` of *elastic*, `A`."""
+    found = (
+        re.search(rf"\b{re.escape(index)}{'' if index.isupper() else '[a-z]*'}\b", words)
+        if index.isalpha()
+        else None
+    )
+    return found.start() if found else None
 
 
 def _letters_in(side: str, givens: Mapping[str, Dimension]) -> Collection[str]:
     """The names a left side may be made of: the givens, and each run of letters with its index, or its letters one by one."""
     found = set(givens)
     for run in re.findall(r"(?:(?:delta|Delta|[Δ∆])\s*)?[^\W\d_](?:_\{\w+\}|\w)*", side):
-        name = re.sub(r"[^A-Za-z0-9_]", "", _keyboard(run))
+        name = re.sub(r"[^A-Za-z0-9_]", "", keyboard(run))
         if name in function_words() or name == "pi":
             continue
         found |= (
@@ -177,10 +197,6 @@ def _dimensions() -> dict[str, Dimension]:
     return {name: unit(text).dimension for name, text in CUSTOMARY.items()}
 
 
-def _is_function(name: str) -> bool:
-    return name.strip() in function_words()
-
-
 def _ratio(text: str) -> Fraction:
     above, _, below = text.replace(",", ".").replace(" ", "").partition("/")
     return Fraction(above) / Fraction(below or "1") if Fraction(below or "1") else Fraction(0)
@@ -188,7 +204,7 @@ def _ratio(text: str) -> Fraction:
 
 def unknown_letter(name: str, question: Question | None) -> bool:
     """True if a letter is none of the givens, so that it can stand for the answer."""
-    typed = re.sub(r"[^A-Za-z0-9]", "", _keyboard(name))
+    typed = re.sub(r"[^A-Za-z0-9]", "", keyboard(name))
     return question is not None and typed not in {each.replace("_", "") for each in question.symbol_names}
 
 
@@ -208,6 +224,6 @@ def as_formula(found: Solved, tree: Expr) -> Expr | None:
     return scaled if bottom.value == 1 else Quotient(scaled, bottom)
 
 
-def named(sides: Sequence[str]) -> bool:
+def named(sides: Sequence[str], question: Question | None = None) -> bool:
     """True if one of the sides is a name or talk: then the last side is its value."""
-    return any(is_name(side) or is_talk(side) for side in sides)
+    return any(is_name(side, question) or is_talk(side, question) for side in sides)

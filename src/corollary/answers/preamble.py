@@ -6,7 +6,7 @@ import re
 from typing import NamedTuple
 
 from corollary.answers import trace
-from corollary.answers.left_side import SYMBOL
+from corollary.answers.name import SYMBOL
 from corollary.answers.number_words import NUMBERS
 from corollary.answers.remark import BECAUSE, DENIED
 from corollary.answers.sign_words import SIGNS
@@ -46,9 +46,13 @@ LEADING = (
     re.compile(
         r"I (?:get|got|find|found|have) |(?:the )?same as (?:before|in \(?[a-z]\)?)[,:]\s*", re.IGNORECASE
     ),
-    re.compile(rf"[=≈~:]\s*|(?:{WORDS})(?![A-Za-z0-9_^*/(]|\s+ganger)\s*", re.IGNORECASE),
-    re.compile(rf"(?:{NAME})\s+(?:is|was|equals|ist|beträgt|er|est)\s+(?=[-+]?[0-9.,√(])"),
-    re.compile(rf"(?:{NAME})\s*[:~](?=\s*[-+0-9.,√(])\s*"),
+    re.compile(
+        rf"[=≈~:]\s*|(?-i:(?![a-z]+[A-Z]))(?:{WORDS})(?![A-Za-z0-9_^*/(]|\s+ganger)\s*", re.IGNORECASE
+    ),
+)
+LEFT_NAMES = (
+    re.compile(rf"(?P<side>{NAME})\s+(?:is|was|equals|ist|beträgt|er|est)\s+(?=[-+]?[0-9.,√(])"),
+    re.compile(rf"(?P<side>{NAME})\s*[:~](?=\s*[-+0-9.,√(])\s*"),
 )
 MINUS = re.compile(
     rf"(?:minus|negative)\s+(?=[0-9.,]|(?:{'|'.join(NUMBERS)})\b)|\(-\)\s*(?=[0-9.,])", re.IGNORECASE
@@ -147,6 +151,9 @@ def _skipped(text: str) -> tuple[int, list[str]]:
     for lead in LEADING:
         if (found := lead.match(text)) and found.end() < len(text):
             return found.end(), []
+    for name in LEFT_NAMES:
+        if (found := name.match(text)) and found.end() < len(text):
+            return found.end(), [found["side"]]
     return _last_side(text)
 
 

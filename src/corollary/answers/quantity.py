@@ -11,18 +11,17 @@ from typing import Literal
 
 from corollary.answers import trace
 from corollary.answers.arithmetic_answer import worked_out
-from corollary.answers.components import are_axes, in_one_line, pieces_of, without_preamble
+from corollary.answers.components import are_axes, in_one_line, pieces_of, unread_side, without_preamble
 from corollary.answers.left_side import (
     gives_what_is_asked,
     is_another_given,
-    is_name,
-    is_talk,
     named,
     solvable,
     solved_value,
     unknown_letter,
 )
 from corollary.answers.motion_words import motion_in_number, motion_in_numbers
+from corollary.answers.name import another_body, is_name, is_talk
 from corollary.answers.number_words import in_digits
 from corollary.answers.polar import length_and_angle
 from corollary.answers.preamble import answer_in
@@ -191,22 +190,27 @@ def _beside_sides(
     sides: Sequence[str], last: Reading, expected: Unit | None, question: Question | None
 ) -> tuple[Expr, ...] | ParseError:
     """The formulas of givens among the sides before the last; asks about two values that differ, and about what is no name."""
-    open_sides = [side for side in sides[-MOST_SIDES:] if not (is_name(side) or is_talk(side))]
+    open_sides = [
+        side for side in sides[-MOST_SIDES:] if not (is_name(side, question) or is_talk(side, question))
+    ]
     unread: list[str] = []
     for side in open_sides:
         value = _number_and_unit(side, side, expected)
         if isinstance(value, ParseError):
             value = _worked(side, side, expected)
-        if isinstance(value, ParseError) or (value.fit == "wrong dimension" and solvable(side)):
+        if isinstance(value, ParseError) or (value.fit == "wrong dimension" and solvable(side, question)):
             unread.append(side)
         elif not _agree(value, last):
             why = _("{one} and {other} are not the same", one=value.as_read, other=last.as_read)
             return ParseError("asked", why, None, _("write one number and a unit"))
     wanted = expected or last.unit or PURE
-    if len(sides) == 1 and is_name(sides[0]) and is_another_given(sides[0], wanted, question):
+    if len(sides) == 1 and is_name(sides[0], question) and is_another_given(sides[0], wanted, question):
         why = _("{letter} is given, and is no {wanted}", letter=sides[0].strip(), wanted=show(wanted) or "1")
         return ParseError("asked", why, None, _("write the answer without it"))
-    if named(sides) or not unread:
+    if other := next((side for side in sides if another_body(side, question)), ""):
+        why = _("{letter} is not what is asked for", letter=other.strip())
+        return ParseError("asked", why, None, _("write the answer without it"))
+    if named(sides, question) or not unread:
         return ()
     stand_for_it = [gives_what_is_asked(side, wanted.dimension, question) for side in unread]
     if any(stand_for_it):
@@ -217,7 +221,7 @@ def _beside_sides(
 def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | None) -> ParseError:
     """`2*theta = 180 deg`, solved for its letter and asked about; without a reading where it has no letter to solve for."""
     why = _("{side} stands on the left, not the answer alone", side=side)
-    found = solvable(side)
+    found = solvable(side, question)
     turns = found is not None and found.function in ("sin", "cos", "tan")
     if (
         found is None
@@ -437,7 +441,9 @@ def components_in(
     if TABLE.search(text):
         return refused(_("a table is not read here"), None, _("write the components as (3; 4) m/s"))
     typed = motion_in_numbers(by_hand(in_one_line(text, count)))
-    normalized, skipped = without_preamble(typed.translate(TO_ASCII))
+    normalized, skipped, sides = without_preamble(typed.translate(TO_ASCII))
+    if (doubt := unread_side(sides, names)) is not None:
+        return doubt
     if count == 2 and (both := BOTH_SIGNS.fullmatch(normalized)) is not None:  # `150° ± 90°`
         middle, half = both["middle"], both["half"]
         unit = both["unit"] or both["own"] or ""

@@ -26,6 +26,7 @@ class Question:
     stands beside them; `signature` is that of a
     function, `force(t, dt)`; `symbols` are the givens of the problem; `slope` is the angle that directions along a slope turn by;
     `rows` and `columns` are the labels of a table, `column_units` the units of its columns, where they are not all `unit`;
+    `ratio` is the sentence that says what is asked over what;
     `positive` is the positive direction in the problem's words, `reference` is from what it counts an angle.
     """
 
@@ -45,6 +46,7 @@ class Question:
     column_units: tuple[Unit, ...] = ()
     positive: str = ""
     reference: str = ""
+    ratio: str = ""
 
     @property
     def function(self) -> str:
@@ -84,6 +86,7 @@ class Question:
             "column_units": [each.text for each in self.column_units],
             "positive": self.positive,
             "reference": self.reference,
+            "ratio": self.ratio,
             "symbols": [(symbol.name, symbol.unit.text, symbol.meaning) for symbol in self.symbols],
         }
 
@@ -108,4 +111,5 @@ class Question:
             tuple(map(unit, data["column_units"])),
             data["positive"],
             data["reference"],
+            data.get("ratio", ""),
         )
