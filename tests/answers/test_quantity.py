@@ -472,3 +472,21 @@ def test_a_text_may_be_as_long_as_the_refusal_says():
     most = int(re.search(r"longer than (\d+) characters", refused.why)[1])
     assert components_in("(1, 2)".ljust(most), 2) == components_in("(1, 2)", 2)
     assert isinstance(components_in("(1, 2)".ljust(most + 1), 2), ParseError)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("6.72/2*10^2 N", 336), ("6.72/2·10² N", 336), ("6.72/2×10² N", 336), ("6.72/2*10**2 N", 336), ("6.72*1/2*10^2 N", 336), ("0.32*21/2*10^2 N", 336),
+     ("33.6/1*10^1 N", 336), ("6.72/2*10^-2 N", 0.0336), ("6/2e3 N", 0.003), ("6/(2*10^3) N", 0.003)],
+)  # fmt: skip
+def test_a_product_behind_a_fraction_is_taken_from_the_left(text, value):
+    found = read_quantity(text, unit("N"))
+    assert not isinstance(found, ParseError)
+    assert float(found.value) == pytest.approx(value)
+
+
+@pytest.mark.parametrize("text", ["6/2x10^3 N", "6.72/2 x 10^-2 N", "6/2 10^3 N"])
+def test_a_power_of_ten_with_a_cross_below_a_line_is_asked_about(text):
+    found = read_quantity(text, unit("N"))
+    assert isinstance(found, ParseError)
+    assert (found.status, len(found.choices)) == ("asked", 2)

@@ -202,7 +202,8 @@ def _sign(
         return None
     if NUMBER.match(text, at):
         end = text.find(",", at) if _between_arguments(text, at, before) else -1
-        number = unsigned(text if end < 0 else text[:end], at)
+        below = last == "sign" and bool(before) and before[-1].text == "/"
+        number = unsigned(text if end < 0 else text[:end], at, below_a_line=below)
         if isinstance(number, ParseError):
             return number
         return [Token("number", text[at : number[1]], at, True, number[0].value)], number[1]

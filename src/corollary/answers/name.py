@@ -39,7 +39,7 @@ GLUED = re.compile(
 HEAD = re.compile(
     rf"(?:(?!(?:{'|'.join(GREEK_WORDS)})(?![^\W\d_]))(?P<change>Delta|delta|[Δ∆∑ΣδdD])(?=[^\W\d_]))?(?P<letter>{'|'.join(GREEK_WORDS)}|[^\W\d_])"
 )
-# What is written close behind a letter and is no factor: a body, an axis, a time, a kind.
+# What is written directly behind a letter and is no factor: a body, an axis, a time, a kind.
 COMMON = re.compile(
     r"(?:[ABCDNKEPG]|[xyzifabcspkrnge1]|[0-2]|[₀-₉ₐ-ₜ]|cm|CM|st|el|rms|mx|mn|tr|rot|fr|gr|nett?|avg|av|tot|[^\W\d_]{3,})*['⁎*]*"
 )
@@ -79,22 +79,22 @@ def _is_one(run: str, question: Question | None) -> bool:
         return False
     if head["change"] in ("d", "D") and head.end() == len(bare):
         return head["letter"] in CHANGING and "d" not in givens
-    close = re.split(r"_|\(|\[|-|,", bare[head.end() :])[0]
-    if not close.strip("'⁎*"):
+    index = re.split(r"_|\(|\[|-|,", bare[head.end() :])[0]
+    if not index.strip("'⁎*"):
         return True
-    letters = [each for each in close if each.isalpha()]
+    letters = [each for each in index if each.isalpha()]
     if any(ord(each) > 127 and each in GREEK for each in letters):
         return False  # `Lθ`, `FΔt`
-    whole = re.sub(r"\W|[0-9_]", "", head[0] + close)
+    whole = re.sub(r"\W|[0-9_]", "", head[0] + index)
     if len(whole) > 2 and all(each in givens for each in whole):
         return False  # `mgh`
-    if len(close.strip("'⁎*")) == 1 and close[0] in givens:
+    if len(index.strip("'⁎*")) == 1 and index[0] in givens:
         return False  # `Fv`, where v is given
     if (len(whole) > 3 and VOWEL.search(whole)) or (
-        COMMON.fullmatch(close) and (len(letters) < 3 or VOWEL.search(whole))
+        COMMON.fullmatch(index) and (len(letters) < 3 or VOWEL.search(whole))
     ):
         return True
-    return close[:1].isdigit() and any(name.endswith(close) for name in givens)
+    return index[:1].isdigit() and any(name.endswith(index) for name in givens)
 
 
 def is_talk(side: str, question: Question | None = None) -> bool:

@@ -56,6 +56,10 @@ BOTH_SIGNS = re.compile(
 LOST_POWER = re.compile(
     r"(?<![0-9.,])(?P<number>[0-9]+(?:[.,][0-9]+)?)\s?[xX×·⋅]\s?10(?P<power>[1-9][0-9]?)(?![0-9.,^*])"
 )
+# `6/2x10^3`: with a cross or a blank the power of ten may belong to the divisor; with `*` it is a factor, as in Python.
+TEN_BELOW = re.compile(
+    r"(?P<top>[0-9.,]+)\s*/\s*(?P<bottom>[0-9]+(?:[.,][0-9]+)?)(?:\s?[xX]\s?|\s+)10(?:\^|\*\*)(?P<power>[({]?[-+]?[0-9]+[)}]?)"
+)
 TWO_ANSWERS = re.compile(r"\d\D*\s(?:or|oder|eller|ou)\s\D*\d", re.IGNORECASE)
 NAME_BEHIND = re.compile(
     r"\s*(?P<value>[-+−–]?\s*[0-9.,][^=≈]*?)\s*=\s*(?P<name>[^=≈\s0-9][^=≈]{0,12}?)\s*"
@@ -142,6 +146,12 @@ def _doubtful(typed: str, normalized: str) -> ParseError | None:
             for power in (f"10^{lost['power']}", f"10{lost['power']}")
         )
         why = _("{text} can be a power of ten or a product", text=lost[0].strip())
+        return ParseError("asked", why, None, _("write {choices}", choices=_(" or ").join(choices)), choices)
+    if (ten := TEN_BELOW.search(typed)) is not None:
+        before, behind = typed[: ten.start()], typed[ten.end() :]
+        top, bottom, power = ten["top"], ten["bottom"], f"10^{ten['power'].strip('(){}')}"
+        choices = f"{before}({top}/{bottom})*{power}{behind}", f"{before}{top}/({bottom}*{power}){behind}"
+        why = _("{text} can be a product or a fraction", text=ten[0].strip())
         return ParseError("asked", why, None, _("write {choices}", choices=_(" or ").join(choices)), choices)
     if HEXADECIMAL.search(normalized):
         why = _("{text} is no decimal number", text=normalized.strip())

@@ -76,7 +76,7 @@ def scan_number(text: str) -> tuple[Written, int] | ParseError:
     number, end = found
     below = BELOW.match(text, end)
     if below:
-        bottom = unsigned(text, below.end())
+        bottom = unsigned(text, below.end(), below_a_line=True)
         if isinstance(bottom, ParseError):
             return bottom
         divisor, end = bottom
@@ -91,8 +91,11 @@ def scan_number(text: str) -> tuple[Written, int] | ParseError:
     return Written(sign * number.value, number.figures, number.least), end
 
 
-def unsigned(text: str, at: int) -> tuple[Written, int] | ParseError:
-    """The number without a sign that stands at one place of a text (translated by TO_ASCII), and where it ends."""
+def unsigned(text: str, at: int, *, below_a_line: bool = False) -> tuple[Written, int] | ParseError:
+    """The number without a sign that stands at one place of a text (translated by TO_ASCII), and where it ends.
+
+    `below_a_line`: of `6.72/2*10^2` it is the 2, as the product of two numbers is taken from the left.
+    """
     bare = BARE_TEN.match(text, at)
     if bare:
         power = _exponent(bare)
@@ -109,6 +112,8 @@ def unsigned(text: str, at: int) -> tuple[Written, int] | ParseError:
     if sum(letter in "0123456789" for letter in body[0]) > MOST_DIGITS:
         return refused(_("this number has more than {most} digits", most=MOST_DIGITS), at)
     ten = TEN.match(text, end)
+    if ten and below_a_line and ten[0].lstrip().startswith("*"):
+        ten = None
     digits = _with_one_point(body[0], at, scientific=ten is not None)
     if isinstance(digits, ParseError):
         return digits
