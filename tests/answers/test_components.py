@@ -6,7 +6,9 @@ import pytest
 
 from corollary.answers.components import pieces_of
 from corollary.answers.polar import length_and_angle
+from corollary.answers.quantity import in_si, read_quantities
 from corollary.formula.errors import ParseError
+from corollary.units.unit import unit
 
 
 @pytest.mark.parametrize(
@@ -64,3 +66,21 @@ def test_a_length_and_an_angle(typed, length, angle):
 @pytest.mark.parametrize("typed", ["(40 cos 30°, 40 sin 30°) N", "(3, 4) N", "3 N; 4 N"])
 def test_what_is_none(typed):
     assert length_and_angle(typed) is None
+
+
+@pytest.mark.parametrize(
+    "text", ["1.10 m ± 20.6 cm", "1.10 m ± 206 mm", "110 cm ± 0.206 m", "1100 mm ± 20.6 cm", "1.10 ± 0.206 m"]
+)
+def test_each_side_of_both_signs_has_its_own_unit(text):
+    found = read_quantities(text, unit("m"), 2, ("near", "far"))
+    assert not isinstance(found, ParseError)
+    assert [in_si(each) for each in found] == pytest.approx([0.894, 1.306])
+
+
+@pytest.mark.parametrize(
+    "text", ["142.5 + (-199.5) j", "142.5 + 199.5 j", "142.5 - 199.5j", "(142.5 - 199.5j) N"]
+)
+def test_a_complex_number_is_no_plane_vector_unasked(text):
+    found = read_quantities(text, unit("N"), 2, ("x", "y"))
+    assert isinstance(found, ParseError)
+    assert found.status == "asked"

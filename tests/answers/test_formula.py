@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,8 +12,10 @@ from corollary.answers.answer import Formulas, Unclear
 from corollary.answers.formula import fitting, formula
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type
+from corollary.formula.arithmetics import DOUBLES, ready
 from corollary.formula.ast import Expr
 from corollary.formula.errors import ParseError
+from corollary.formula.syntax import parse
 from corollary.formula.text import text
 from corollary.formula.value import Text
 from corollary.problem.reader import read_problem
@@ -63,3 +66,13 @@ def test_what_is_wrongly_written_is_not_read_in_another_way():
     found = answer_type("expression").read(Text("m v)"), question_of(PROBLEM, part))
     assert isinstance(found, Unclear)
     assert "bracket" in found.why
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("e^(-x)/y", math.exp(-2) / 3), ("e^{-x}/y", math.exp(-2) / 3), ("e**(-x)/y", math.exp(-2) / 3), ("(x*y)^(1)/2", 3.0), ("x^(1)/2", 1.0)],
+)  # fmt: skip
+def test_written_brackets_end_the_exponent(text, value):
+    tree = parse(text, ["x", "y"])
+    assert not isinstance(tree, ParseError)
+    assert ready(tree, DOUBLES)({"x": 2.0, "y": 3.0}) == pytest.approx(value)

@@ -239,3 +239,18 @@ def test_the_letter_of_another_body_is_asked_about(key):
     for side, another in (("v_B", True), ("v_B'", True), ("vB1", True), ("v_A'", False), ("v", False)):
         found = read_quantity(f"{side} = -3.56 m/s", question.unit, question)
         assert isinstance(found, ParseError) is another
+
+
+@pytest.mark.parametrize(
+    ("code", "part", "text", "right"),
+    [
+        ("X12.7", "d", "sin θ = 1", True),
+        ("X12.7", "d", "sinθ=1", True),
+        ("X12.7", "d", "sin θ = 0.9", False),
+        ("X12.7", "d", "sin θ = m/m = 1", True),
+        ("X12.7", "d", "cosθ = 1.5708", False),
+    ],
+)
+def test_an_equation_for_an_angle_is_solved_for_it(key, code, part, text, right):
+    verdict = judge(key(code), {part: from_json(text)})[part][0][0]
+    assert isinstance(verdict, Right) is right, verdict

@@ -30,6 +30,9 @@ DIRECTIONS = {
 }
 LETTERS = r"k̂|x̂|ŷ|ẑ|[îĵijk]|e_?[xyz](?![A-Za-z])"
 ALONG = re.compile(rf"(?P<letter>{LETTERS})(?=\s*(?:[+\-)]|$))|(?<![A-Za-z(])(?P<last>{LETTERS})\s+(?=\D)")
+COMPLEX = re.compile(  # `3 + (-4) j`
+    r"\s*(?P<first>[-+]?[0-9.,]+)\s*(?P<sign>[-+])\s*\(?\s*(?P<second>[-+]?[0-9.,]+)\s*\)?\s*\*?\s*(?:j|ĵ)\s*"
+)
 BRACKETS = {"(": ")", "[": "]", "{": "}", "<": ">", "⟨": "⟩"}
 MARKS = (
     r"\s*[;|]\s*",
@@ -264,6 +267,13 @@ def _axis(found: re.Match[str]) -> int:
 
 def _directed(inside: str, unit: str, count: int) -> list[str] | ParseError:
     """`3 i - 4 j` cut at its directions, each with a unit of its own behind it or none; a direction left out is 0."""
+    if count == 2 and (mixed := COMPLEX.fullmatch(inside)) is not None:
+        why = _("a term without a direction stands beside one with a direction")
+        first, second = (
+            mixed["first"],
+            f"{mixed['sign']}{mixed['second']}".removeprefix("+").replace("--", ""),
+        )
+        return ambiguous(why, 0, f"({first}; {second.removeprefix('+')}) {unit}".strip())
     components, own = dict[int, str](), list[str]()
     at = 0
     for found in ALONG.finditer(inside):

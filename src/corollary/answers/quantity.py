@@ -222,21 +222,29 @@ def _beside_sides(
         return ParseError("asked", why, None, _("write the answer without it"))
     if named(sides, question) or not unread:
         return ()
+    if wanted.is_angle and (turned := next((side for side in unread if _turns(side, question)), "")):
+        return _asked_about(turned, last, wanted, question)
     stand_for_it = [gives_what_is_asked(side, wanted.dimension, question) for side in unread]
     if any(stand_for_it):
         return tuple(each for each in stand_for_it if not isinstance(each, bool))
     return _asked_about(unread[0], last, wanted, question)
 
 
+def _turns(side: str, question: Question | None) -> bool:
+    """True for the sine, cosine or tangent of one letter."""
+    found = solvable(side, question)
+    return found is not None and found.function in ("sin", "cos", "tan")
+
+
 def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | None) -> ParseError:
     """`2*theta = 180 deg`, solved for its letter and asked about; without a reading where it has no letter to solve for."""
     why = _("{side} stands on the left, not the answer alone", side=side)
     found = solvable(side, question)
-    turns = found is not None and found.function in ("sin", "cos", "tan")
+    turns = _turns(side, question)
     if (
         found is None
         or (found.function and last.unit is not None)
-        or not unknown_letter(found.name, question)
+        or not ((turns and wanted.is_angle) or unknown_letter(found.name, question))
     ):
         return ParseError("asked", why, None, _("write one number and a unit"))
     value = solved_value(found, in_si(last) if found.function else float(last.value))
@@ -457,7 +465,7 @@ def components_in(
     if count == 2 and (both := BOTH_SIGNS.fullmatch(normalized)) is not None:  # `150° ± 90°`
         middle, half = both["middle"], both["half"]
         unit = both["unit"] or both["own"] or ""
-        return [f"{middle} {unit} {sign} {half} {unit}" for sign in "-+"]
+        return [f"{middle} {both['own'] or unit} {sign} {half} {unit}" for sign in "-+"]
     polar = None if angles else length_and_angle(normalized)
     if isinstance(polar, tuple) and not (count == 2 and are_axes(names)):
         return refused(_("a length and an angle give a vector in a plane only"))

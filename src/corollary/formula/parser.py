@@ -125,7 +125,9 @@ def _in_parallel(line: Line) -> bool:
 
 def _raised(line: Line, base: Expr, token: Token) -> Expr:
     """A power; of `e^2x`, `10^2x`, `r^1/2`, `e^-x/2` it is asked where the exponent ends."""
-    typed = line.next.at > token.at  # not a raised digit
+    typed = (
+        line.next.at > token.at and line.next.kind != "open"
+    )  # neither a raised digit nor settled by a bracket
     exponent = _formula(line, RAISE - 1)
     near = _power(base, exponent, token)
     bottom = exponent.term if isinstance(exponent, Negative) else exponent
