@@ -21,13 +21,13 @@ from corollary.derive.letters import unknowns as unknowns
 from corollary.derive.letters import variable as variable
 from corollary.derive.letters import vector as vector
 from corollary.derive.simulation import NONE, Seen, Simulation
-from corollary.derive.spoken import frame_of_word, line_of_word
+from corollary.derive.stated_claims import along as along
 from corollary.derive.stated_claims import always as always
 from corollary.derive.stated_claims import at as at
+from corollary.derive.stated_claims import force as force
+from corollary.derive.stated_claims import forces as forces
+from corollary.derive.stated_claims import frame_of_word, line_of_word
 from corollary.derive.stated_claims import limit as limit
-from corollary.derive.stated_forces import along as along
-from corollary.derive.stated_forces import force as force
-from corollary.derive.stated_forces import forces as forces
 from corollary.derive.statements import (
     Choice,
     Code,

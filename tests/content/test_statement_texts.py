@@ -20,7 +20,7 @@ from corollary.problem.roster import Student
 from corollary.problem.sampling import sample
 from corollary.problem.statement import holes
 from corollary.render.targets.pdf import write_exercise
-from corollary.verify.statement import QuestionText, leaks, missing
+from corollary.verify.question_text import QuestionText, leaks, missing
 
 BANK = chapter_bank()
 SOLUTIONS = Solutions(BANK)

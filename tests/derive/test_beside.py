@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -165,8 +166,21 @@ def test_a_judge_imports_what_lies_in_its_folder_and_beside_the_solution_and_is_
         assert inputs == {"m": 2.0, "v": 2.0}
         assert entry.judge({}, [Called(inputs, (factor * 4.0,))]) is None
     assert sys.path == path
-    assert not {"constants", "late", "momenta"} & sys.modules.keys()
+    assert not any(
+        "/solutions/" in (getattr(module, "__file__", None) or "") for module in [*sys.modules.values()]
+    )
     assert not list(tmp_path.rglob("*.pyc"))
+
+
+def test_a_module_of_that_name_that_is_loaded_already_is_in_nobodys_way(tmp_path, monkeypatch):
+    here, problem = judged_bank(tmp_path)
+    others = {name: ModuleType(name) for name in ("constants", "momenta", "late")}
+    for name, module in others.items():
+        monkeypatch.setitem(sys.modules, name, module)
+    entry = code_of(here, problem)
+    (inputs,) = entry.inputs({}, lambda low, high: high)
+    assert entry.judge({}, [Called(inputs, (8.0,))]) is None
+    assert {name: sys.modules[name] for name in others} == others
 
 
 @pytest.mark.parametrize("name", JUDGED)

@@ -11,8 +11,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from tests.derive.conftest import problem_of
 
-from corollary.derive.cubic import real_roots
-from corollary.derive.known import Point
+from corollary.derive.assumptions import Point
+from corollary.derive.roots import real_roots
 from corollary.derive.solve import solve
 from corollary.grading.key import make_key
 from corollary.problem.sampling import sample

@@ -6,9 +6,9 @@ import re
 
 import pytest
 
-from corollary.derive.listed_forces import listed_forces
 from corollary.derive.load import NotDerivable
 from corollary.derive.solve import solve
+from corollary.derive.worked_solution import listed_forces
 from corollary.grading.free_body import as_people_say, free_body
 from corollary.problem.bank import Bank
 from corollary.problem.reader import read_problem

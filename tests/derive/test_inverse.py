@@ -7,7 +7,7 @@ import math
 import pytest
 
 from corollary.answers.evaluation import as_exact, number
-from corollary.derive.inverse import inverses
+from corollary.derive.paths import inverses
 from corollary.formula.ast import Name
 from corollary.formula.syntax import author_formula
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy
 
-from corollary.derive.known import vanishes
+from corollary.derive.assumptions import vanishes
 
 V = sympy.symbols("vx vy vz", real=True)
 B = sympy.symbols("Bx Bz", real=True)

@@ -7,7 +7,7 @@ import sympy
 from tests.derive.conftest import ASKS
 from tests.derive.test_solve import closed
 
-from corollary.derive.logarithms import logarithms_together
+from corollary.derive.assumptions import logarithms_together
 
 A, B, r, t = sympy.symbols("A B r t", positive=True)
 x = sympy.Symbol("x", real=True)

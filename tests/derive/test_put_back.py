@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.derive.conftest import problem_of
 
-from corollary.derive.known import Known
+from corollary.derive.assumptions import Known
 from corollary.derive.put_back import put_laws_back
 from corollary.derive.sampled import compared
 from corollary.derive.solve import solved_derivation

@@ -8,9 +8,8 @@ from itertools import pairwise
 
 import pytest
 
-from corollary.derive.asked_steps import asked_steps
 from corollary.derive.solve import solve
-from corollary.derive.worked_solution import worked_solution
+from corollary.derive.worked_solution import asked_steps, worked_solution
 from corollary.formula.ast import names
 from corollary.grading.key import make_key
 from corollary.grading.neglect import neglects

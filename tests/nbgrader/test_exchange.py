@@ -19,7 +19,7 @@ pytest.importorskip("nbgrader")
 
 from corollary.course.generate import generate
 from corollary.grading.solutions import Solutions
-from corollary.nbgrader.rights import access_list, open_for
+from corollary.nbgrader.exchange import access_list, open_for
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student

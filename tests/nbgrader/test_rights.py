@@ -11,8 +11,7 @@ import pytest
 
 pytest.importorskip("nbgrader")
 
-from corollary.nbgrader.exchange import _unreadable
-from corollary.nbgrader.rights import access_list, make_ordinary
+from corollary.nbgrader.exchange import _unreadable, access_list, make_ordinary
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="access lists of Linux")
 

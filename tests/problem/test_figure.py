@@ -8,8 +8,7 @@ import pytest
 
 from corollary.figure.primitive import PRIMITIVES
 from corollary.problem.diagnostic import Malformed
-from corollary.problem.figure import BadFigure, drawn
-from corollary.problem.figure_lines import in_letters
+from corollary.problem.figure import BadFigure, drawn, in_letters
 from corollary.problem.reader import read_problem
 from corollary.problem.variant import at, chapter
 

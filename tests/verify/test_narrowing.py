@@ -9,7 +9,7 @@ import pytest
 
 from corollary.problem.reader import read_problem
 from corollary.problem.sampling import spread
-from corollary.verify.narrowing import TriedDraw, narrower
+from corollary.verify.walk import TriedDraw, narrower
 
 MIXED = """\
 ---

@@ -28,7 +28,7 @@ from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
 from corollary.problem.variant import OutOfRange, chosen, written_apart
 from corollary.units.unit import Dimension
-from corollary.verify.figures import ABOUT
+from corollary.verify.printed import ABOUT
 
 ELSEWHERE = 5  # variants at which a published formula is tried besides the record's own numbers
 

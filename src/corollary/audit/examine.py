@@ -26,7 +26,7 @@ from corollary.formula.enclosure import Enclosure
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.rational_pi import RationalPi
 from corollary.units.unit import ONE, PURE, UNITS, Unit
-from corollary.verify.figures import ABOUT, EXACTLY, HALF_AN_ORDER, Agreement, as_printed
+from corollary.verify.printed import ABOUT, EXACTLY, HALF_AN_ORDER, Agreement, as_printed
 
 MORE_FIGURES = 2  # than the published number has, in what is shown beside it
 LEAST_FIGURES, MOST_FIGURES = 4, 12

@@ -16,7 +16,7 @@ from corollary.verify.certificate.check import NoChecker, checker, unproven
 from corollary.verify.certificate.lemmas import Lemma
 from corollary.verify.certificate.record import keep
 from corollary.verify.certificate.script import CertifiedStep, certificate, script
-from corollary.verify.obligations.laws import laws_of
+from corollary.verify.obligations.claims import laws_of
 from corollary.verify.obligations.settle import settled
 
 

@@ -55,7 +55,7 @@ def run(
 
 def _exchange(course: Course, problem_set: ProblemSet, force: bool, as_json: bool) -> int:
     """By nbgrader's own command, in this process."""
-    from corollary.nbgrader.released import release_in_exchange
+    from corollary.nbgrader.exchange import release_in_exchange
 
     students = sheets_of(course, problem_set)
     why = release_in_exchange(course, problem_set.name, force)

@@ -14,7 +14,7 @@ from corollary.course.renew import Renewal
 from corollary.course.roster import check_folders
 from corollary.grading.solutions import Solutions
 from corollary.nbgrader.gradebook import NoNbgrader, need_nbgrader
-from corollary.nbgrader.source import source_notebook
+from corollary.nbgrader.register import source_notebook
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.problem import Problem

@@ -25,8 +25,7 @@ from corollary.nbgrader.from_record import from_record
 from corollary.nbgrader.gradebook import gradebook, has_nbgrader
 from corollary.nbgrader.graded import GradedSubmission, not_graded
 from corollary.nbgrader.marks import current_manual, stale_pages, synchronized
-from corollary.nbgrader.register import follow_points, register
-from corollary.nbgrader.source import source_notebook
+from corollary.nbgrader.register import follow_points, register, source_notebook
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.assignments import AssignedSheet, read_assigned
@@ -321,7 +320,7 @@ def _written(
     if not has_nbgrader() or dry_run:
         return there
     from corollary.nbgrader.record import in_gradebook
-    from corollary.nbgrader.registered import is_registered
+    from corollary.nbgrader.register import is_registered
 
     with gradebook(course) as book:
         known = is_registered(book, problem_set)

@@ -7,8 +7,7 @@ import zipfile
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from corollary.problem.roster import Student
-from corollary.problem.roster_columns import HEADINGS
+from corollary.problem.roster import HEADINGS, Student
 from corollary.problem.table import read_table
 from corollary.records.files import Course
 from corollary.records.lms_file import row_owners

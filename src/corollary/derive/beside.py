@@ -45,6 +45,10 @@ def importable(*folders: Path) -> Generator[None]:
 
 @contextmanager
 def _importable(folder: Path) -> Generator[None]:
+    own = {path.stem for path in folder.glob("*.py")} - sys.stdlib_module_names
+    hidden = {
+        name: sys.modules.pop(name) for name in own & sys.modules.keys()
+    }  # somebody else's of that name
     writes, before = sys.dont_write_bytecode, set(sys.modules)
 
     def finder(path: str) -> FileFinder:
@@ -67,6 +71,7 @@ def _importable(folder: Path) -> Generator[None]:
         for name in sys.modules.keys() - before:  # those before belong to whoever loaded them
             if _lies_in(folder, sys.modules[name]):
                 del sys.modules[name]
+        sys.modules.update(hidden)
 
 
 def _lies_in(folder: Path, module: ModuleType) -> bool:

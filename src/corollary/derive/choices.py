@@ -10,9 +10,9 @@ from fractions import Fraction
 import sympy
 from sympy.logic.boolalg import Boolean
 
+from corollary.derive.assumptions import Known
 from corollary.derive.cases import clauses
 from corollary.derive.derivation import Always, Entry
-from corollary.derive.known import Known
 from corollary.derive.load import NotDerivable
 from corollary.derive.solution import ClaimedCondition, SolvedChoice
 from corollary.derive.statements import Choice

@@ -9,7 +9,7 @@ from typing import Any
 import sympy
 
 from corollary.derive.applied import applied
-from corollary.derive.known import Known, at, simplest
+from corollary.derive.assumptions import Known, at, simplest
 from corollary.derive.solution import SolvedExample
 from corollary.derive.statements import Example
 from corollary.formula.ast import Expr

@@ -10,8 +10,8 @@ import sympy
 
 from corollary.answers.ways import DEGREES, of_a_slope
 from corollary.derive.applied import applied
+from corollary.derive.assumptions import Known, vanishes
 from corollary.derive.free_body import Acting, Along, Forces
-from corollary.derive.known import Known, vanishes
 from corollary.derive.sampled import identical
 from corollary.derive.solution import SolvedForces
 from corollary.formula.ast import Expr, Relation

@@ -12,9 +12,8 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from corollary.derive.coupled import generally
-from corollary.derive.differential import NotSolved, generic
-from corollary.derive.known import FoundFunction, Known, at
+from corollary.derive.assumptions import FoundFunction, Known, at
+from corollary.derive.differential import NotSolved, generally, generic
 from corollary.derive.sampled import holds, numbered
 from corollary.laws.law import Law, sides, substitute
 

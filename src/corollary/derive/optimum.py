@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy
 
-from corollary.derive.known import Point, at
+from corollary.derive.assumptions import Point, at
 from corollary.derive.roots import NoRoot
 from corollary.derive.statements import Sentence
 from corollary.formula.from_sympy import tree

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from corollary.derive.assumptions import Known
 from corollary.derive.cases import relations
-from corollary.derive.known import Known
 from corollary.derive.roots import Picked
 from corollary.derive.solution import OtherRoot
 from corollary.derive.statements import Step

@@ -25,7 +25,7 @@ from corollary.units.dimension import Dimension
 from corollary.units.unit import called, show, si_unit
 
 if TYPE_CHECKING:  # it brings sympy, which a kept solution does without
-    from corollary.derive.known import Known
+    from corollary.derive.assumptions import Known
 
 
 def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int]]:

@@ -1,4 +1,4 @@
-"""Laws and claims with every unknown put back into them."""
+"""Laws and claims put back: limits, special cases, and each law with everything found in it."""
 
 # pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 
@@ -6,18 +6,141 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from typing import Any, Literal
 
 import sympy
 
-from corollary.derive.claims import unfulfilled
-from corollary.derive.derivation import Asserted
+from corollary.derive.assumptions import Known
+from corollary.derive.derivation import Asserted, Limit, Special
 from corollary.derive.functions import is_differential, letters_in, put_back
-from corollary.derive.known import Known
 from corollary.derive.sampled import NO_NUMBERS, Equality, How, compared, holds, identical
 from corollary.derive.solve import Solver
 from corollary.derive.statements import Confirm, Neglected, Step
+from corollary.formula.ast import Relation, names
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.from_sympy import NoTree, tree
 from corollary.laws.law import Law, sides, symbols
+from corollary.units.dimensional_analysis import dimension_of
+
+UNSETTLED = (sympy.nan, sympy.zoo)
+
+
+def unfulfilled(claim: Limit | Special, known: Known) -> Iterator[str]:
+    """A sentence for each thing that is not as claimed."""
+    measured = known.measured & {symbol for each in _expressions(claim) for symbol in each.free_symbols}
+    if measured:
+        names = ", ".join(sorted(symbol.name for symbol in measured))
+        yield f"{names} comes from a simulation: only of closed forms can be said what they are somewhere else"
+    elif isinstance(claim, Limit):
+        yield from _limit(claim, known)
+    else:
+        yield from _special(claim, known)
+
+
+def _expressions(claim: Limit | Special) -> Iterator[Any]:
+    if isinstance(claim, Limit):
+        yield from (claim.of, claim.equals)
+    else:
+        yield from claim.values.values()
+        yield from (sympy.Symbol(name, real=True) for name in claim.values)
+
+
+def _limit(claim: Limit, known: Known) -> Iterator[str]:
+    about = f"the limit of {claim.of} for {claim.letter} to {claim.to}"
+    expression, letter = known.with_asides(claim.of), known.with_asides(claim.letter)
+    if strange := _strange((claim.of, claim.letter, claim.to, claim.equals), known):
+        yield f"{about}: {strange} is neither given nor found"
+        return
+    if not isinstance(letter, sympy.Symbol):
+        yield f"{about}: {claim.letter} is found, and depends on givens; let one of these go to its limit"
+        return
+    pairs = ((claim.of, claim.equals), (claim.letter, claim.to))
+    if not _misfits([(claim.of, claim.of)], known) and (misfits := _misfits(pairs, known)):
+        yield from (f"{about}: {each}" for each in misfits)
+        return
+    if letter not in expression.free_symbols:
+        yield f"{about}: it does not depend on {claim.letter}, it is {expression} everywhere"
+        return
+    found = _towards(expression, letter, known.with_asides(claim.to))
+    wanted = known.with_asides(claim.equals)
+    if found is None:
+        yield f"{about} cannot be worked out; leave it out, or claim a special case with at(…)"
+    elif found != wanted:
+        yield from _different(about, found, wanted, claim.equals, known)
+
+
+def _special(claim: Special, known: Known) -> Iterator[str]:
+    givens = {symbol.name: symbol for symbol in known.formulas if known.formulas[symbol] == symbol}
+    found = {symbol.name: symbol for symbol in (*known.formulas, *known.aside) if symbol.name not in givens}
+    at = {givens[name]: known.with_asides(value) for name, value in claim.values.items() if name in givens}
+    case = ", ".join(f"{symbol} = {value}" for symbol, value in at.items()) or "any numbers"
+    unknown = sorted(claim.values.keys() - givens.keys() - found.keys())
+    strange = unknown[0] if unknown else _strange(claim.values.values(), known)
+    if strange:
+        yield f"at {case}: {strange} is neither given nor found"
+        return
+    if misfits := _misfits(((sympy.Symbol(name), value) for name, value in claim.values.items()), known):
+        yield from (f"at {case}: {each}" for each in misfits)
+        return
+    claimed = {found[name]: value for name, value in claim.values.items() if name in found}
+    if not claimed:
+        yield f"at {case}: it claims nothing; say what something found is there, as in at(mA=mB, v=0)"
+    for symbol, value in claimed.items():
+        there = known.with_asides(symbol).subs(at, simultaneous=True)
+        if there.has(*UNSETTLED) and len(at) == 1:  # 0/0, which has a limit
+            ((letter, to),) = at.items()
+            there = _towards(known.with_asides(symbol), letter, to)
+        wanted = known.with_asides(value).subs(at, simultaneous=True)
+        if there is None or there.has(*UNSETTLED):
+            yield f"at {case}: {symbol} has no value"
+        elif there != wanted:
+            yield from _different(f"at {case}: {symbol}", there, wanted, value, known)
+
+
+def _different(about: str, found: Any, wanted: Any, claimed: object, known: Known) -> Iterator[str]:
+    """A sentence where what is found is not what is claimed, or where that was not decided."""
+    same = (
+        Equality("differ") if False in (found.is_finite, wanted.is_finite) else compared(found, wanted, known)
+    )
+    if same.how == "differ":
+        numbers = f" ({same.at_numbers('it', 'the claim')})" if same.at else ""
+        yield f"{about} is {found}, not {claimed}{numbers}"
+    elif not same.holds:
+        yield f"{about} is {found}; whether that is {claimed} was not decided, neither by algebra nor at numbers"
+
+
+def _misfits(pairs: Iterable[tuple[Any, Any]], known: Known) -> list[str]:
+    """A sentence for each pair of formulas that do not measure the same: what an author sets equal is compared as conditions are."""
+    found: list[str] = []
+    for one, other in pairs:
+        try:
+            compare = Relation("=", tree(one), tree(other))
+            asides = {
+                each.name: dimension_of(tree(known.aside[each]), known.dimensions) for each in known.aside
+            }
+        except NoTree:
+            continue
+        dimensions = known.dimensions | {k: v for k, v in asides.items() if not isinstance(v, ParseError)}
+        if names(compare) <= dimensions.keys() | {"pi"}:
+            dimension = dimension_of(compare, dimensions)
+            found += [sentence(dimension)] if isinstance(dimension, ParseError) else []
+    return found
+
+
+def _strange(expressions: Any, known: Known) -> str:
+    """A letter that means nothing in this problem; "" where there is none."""
+    symbols = {symbol for each in expressions for symbol in sympy.sympify(each).free_symbols}
+    return next((name for name in sorted(symbol.name for symbol in symbols) if name not in known.names), "")
+
+
+def _towards(expression: Any, letter: sympy.Symbol, to: Any) -> Any:
+    """The limit, from both sides where the letter may lie on both; None where sympy has none."""
+    side = "+" if letter.is_nonnegative and to == 0 else "-" if letter.is_nonpositive and to == 0 else "+-"
+    try:
+        found: Any = sympy.limit(expression, letter, to, side if sympy.sympify(to).is_finite else "+")
+    except (NotImplementedError, ValueError, TypeError):  # too hard for it, or not the same from both sides
+        return None
+    return None if found.has(sympy.Limit) or found.has(sympy.AccumBounds) else found
 
 
 @dataclass(frozen=True, slots=True)

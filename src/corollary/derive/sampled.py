@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 import sympy
 
-from corollary.derive.known import Known, Point, at, vanishes
+from corollary.derive.assumptions import Known, Point, at, vanishes
 from corollary.formula.ast import Expr
 from corollary.formula.ball import Ball, RationalPi, Undefined, evaluate, precision_of
 from corollary.formula.from_sympy import NoTree, tree

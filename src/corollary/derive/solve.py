@@ -11,13 +11,13 @@ import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
+from corollary.derive.assumptions import FoundFunction, Known, Root, forms, simplest
 from corollary.derive.cases import Branch, Case, ways
 from corollary.derive.choices import claims, solved_choice
 from corollary.derive.derivation import Entry
 from corollary.derive.example import solved_example
 from corollary.derive.forces import solved_forces
 from corollary.derive.free_body import Forces
-from corollary.derive.known import FoundFunction, Known, Root, forms, simplest
 from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.optimum import best
 from corollary.derive.other_roots import asides, conditions, others

@@ -11,7 +11,7 @@ from typing import Any, cast
 
 import sympy
 
-from corollary.derive.known import in_sympy, simplest
+from corollary.derive.assumptions import in_sympy, simplest
 from corollary.derive.roots import NoRoot
 from corollary.formula.ast import Expr
 from corollary.formula.ball import RationalPi, Undefined, certified

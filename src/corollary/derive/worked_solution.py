@@ -1,23 +1,25 @@
-"""The worked solution of a variant as Markdown: the law, its letters here, the algebra, the number, and a sanity check."""
+"""The worked solution of a sheet: its steps in words, its laws, letters introduced where they are met, and chains of equalities."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain, groupby
 
 from corollary.answers.options import option_named
-from corollary.derive.asked_steps import asked_steps
-from corollary.derive.chain import broken, without_repetition
-from corollary.derive.introduction import asked_for, constants_of_nature, explained, found_first, introduced
-from corollary.derive.listed_forces import listed_forces
+from corollary.answers.spellings import main_spelling
+from corollary.answers.ways import in_words
 from corollary.derive.solution import (
     AppliedLaw,
     ClosedForms,
+    Rule,
     SceneOutcome,
     Solution,
     SolvedForces,
     SolvedFunction,
     SolvedNeglected,
+    SolvedRoute,
     Unknown,
 )
 from corollary.derive.statements import Code, Explain
@@ -29,6 +31,7 @@ from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
 from corollary.messages import catalogue, in_convention
 from corollary.problem.part import Part
+from corollary.problem.problem import Problem
 from corollary.problem.statement import formulas_in_convention
 from corollary.problem.translation import in_language
 from corollary.problem.variant import Variant
@@ -36,6 +39,211 @@ from corollary.units.unit import Unit, si_unit
 from corollary.units.unit import unit as unit_of
 
 _ = catalogue(__name__)
+
+WIDEST = 75  # letters: about what fits on a line of A4 between the margins
+FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}")
+COMMAND = re.compile(r"\\(?:left|right|mathrm|cdot|sqrt|,)|[{}\\ ^]")
+
+
+def without_repetition(steps: list[str]) -> list[str]:
+    """A chain in which no side is the one before it in brackets: `(14.10) = 14.10` says nothing."""
+    found: list[str] = []
+    for step in steps:
+        if found and _bare(found[-1]) == _bare(step):
+            found.pop()
+        found.append(step)
+    return found
+
+
+def _bare(step: str) -> str:
+    return re.sub(r"\\left|\\right|[() ]", "", step)
+
+
+def broken(steps: list[str]) -> list[str]:
+    """A chain of equalities in lines that fit a page; a new line begins with its equals sign."""
+    lines = [steps[0]]
+    for step in steps[1:]:
+        if width(lines[-1]) + width(step) > WIDEST and lines[-1] != steps[0]:
+            lines.append(f"= {step}")
+        else:
+            lines[-1] += f" = {step}"
+    return lines
+
+
+def width(formula: str) -> int:
+    """About how many letters wide a formula is set: the wider line of a fraction counts, commands do not."""
+    while (inner := FRACTION.search(formula)) is not None:
+        formula = formula[: inner.start()] + max(inner[1], inner[2], key=len) + formula[inner.end() :]
+    return len(COMMAND.sub("", formula))
+
+
+FEW = 6  # letters that a heading has room for; a matrix has as many as forty
+
+
+def introduced(found: Collection[Unknown], problem: Problem) -> list[str]:
+    """A line that names the givens that occur where these are found, and an empty one; constants of nature have a line of their
+    own. `problem` is in the language spoken."""
+    used = frozenset[str]().union(*map(_letters_in_laws, found))
+    used |= frozenset[str]().union(*(names(tree) for each in found for tree in each.in_givens or ()))
+    given = {each.symbol: each.meaning for each in problem.givens if each.symbol in used and not each.source}
+    return _line((name, meaning) for name, meaning in given.items() if meaning)
+
+
+def constants_of_nature(problem: Problem) -> list[str]:
+    """A line for each: its value, what it is, and where the value is from."""
+    return [
+        f"- ${letter(given.symbol)} = {quantity(float(given.value), given.unit)}$, {given.meaning} ({given.source})"
+        for given in problem.givens
+        if given.source
+    ]
+
+
+def asked_for(find: Unknown) -> str:
+    """The letters of what a part asks for, as they stand behind its title."""
+    spoken = [f"${letter(name)}$" for name in find.names]
+    return ", ".join(spoken if len(spoken) <= FEW else [spoken[0], "…", spoken[-1]])
+
+
+def found_first(find: Unknown, solution: Solution) -> str:
+    """The letters of what nobody asks for, each with what it stands for."""
+    return _listed((name, solution.meanings.get(name, "")) for name in find.names)
+
+
+def explained(find: Unknown, solution: Solution, known: Collection[str]) -> list[str]:
+    """A line that names the letters of this step which the author explains and that no line has named (not `known`), and an empty one."""
+    headed = () if find.part else find.names
+    used = _letters_in_laws(find) | set(find.names)
+    return _line(
+        (name, meaning)
+        for name, meaning in solution.meanings.items()
+        if name in used and name not in known and name not in headed
+    )
+
+
+def unexplained(solution: Solution) -> Iterator[tuple[int, str]]:
+    """Letters that a step's laws have and nothing introduces, with the step's line.
+
+    Introduced is what is given, what its author explains, what is asked for and found here or before, and what stands alone on
+    the left of a law, for then the law's name says what it is.
+    """
+    known = {given.symbol for given in solution.problem.givens} | solution.meanings.keys() | {"pi"}
+    for find in solution.unknowns:
+        if find.part:
+            known |= set(find.names)
+        known |= {each.left.name for law in find.laws for each in law.here if isinstance(each.left, Name)}
+        known |= {name for each in find.functions for name in (each.name, each.letter)}
+        for name in sorted((_letters_in_laws(find) | set(find.names)) - known):
+            known.add(name)
+            yield find.statement.line, name
+
+
+def _letters_in_laws(find: Unknown) -> frozenset[str]:
+    return frozenset(chain.from_iterable(names(relation) for law in find.laws for relation in law.here))
+
+
+def _line(letters: Iterable[tuple[str, str]]) -> list[str]:
+    listed = _listed(letters)
+    return [_("*Letters:* {letters}.", letters=listed), ""] if listed else []
+
+
+def _listed(letters: Iterable[tuple[str, str]]) -> str:
+    """Those that follow each other and stand for the same, such as components, have it said once."""
+    together = (
+        (meaning, [f"${letter(name)}$" for name, _word in each])
+        for meaning, each in groupby(letters, lambda pair: pair[1])
+    )
+    return ", ".join(", ".join(each) + (f" ({meaning})" if meaning else "") for meaning, each in together)
+
+
+def listed_forces(stated: SolvedForces, part: Part) -> Iterator[str]:
+    """A line of a Markdown list for each force that acts, magnitudes and angles in givens."""
+    names = {option.letter: main_spelling(option.text) for option in part.options}
+    for each in stated.forces:
+        assert isinstance(each.way, Expr)  # once solved
+        way = (
+            in_words(each.word)
+            if each.word
+            else _("at {angle}, counter-clockwise from the right", angle=f"${latex(each.way)}$")
+        )
+        yield f"- {names[each.letter]}, {way}: ${latex(each.magnitude)}$"
+
+
+def asked_steps(solution: Solution, asked: Collection[str]) -> dict[int, Unknown]:
+    """By their places, in the solution's order. The answer of a part that is not `asked` stands there where a step needs it,
+    as something that nobody asks about; another way that starts from what is left out is left out, too."""
+    found = dict(enumerate(solution.unknowns))
+    if all(not find.part or find.part in asked for find in found.values()):
+        return found
+    homes = {name: place for place, find in found.items() for name in _named(find)}
+    left_out = {place for place, find in found.items() if find.part and find.part not in asked}
+    beside = {homes[name] for part in asked for name in _beside(solution, part) if name in homes}
+    answers = {place for place, find in found.items() if find.part in asked}
+    needed = _with_those_before(solution, answers | beside, homes)
+    for_others = _with_those_before(solution, left_out, homes)
+
+    def by_itself(place: int) -> bool:
+        """Whether no part needs it, and all it starts from is there: the texts may speak of it."""
+        return place not in for_others and for_others & _with_those_before(solution, {place}, homes) <= needed
+
+    places = [place for place in found if place in needed or by_itself(place)]
+    hidden = {name for name, place in homes.items() if place not in places}
+    return {place: _without(found[place], asked, hidden) for place in places}
+
+
+def _with_those_before(solution: Solution, places: Collection[int], homes: Mapping[str, int]) -> set[int]:
+    """The places given, and of all steps whose letters lead there or stand in the equations."""
+    found, left = set[int](), [*places]
+    while left:
+        place = left.pop()
+        if place not in found:
+            found.add(place)
+            left += [homes[name] for name in _used(solution.unknowns[place]) if name in homes]
+    return found
+
+
+def _without(find: Unknown, asked: Collection[str], hidden: Collection[str]) -> Unknown:
+    """As one that nobody asks about where its part is not asked, and without ways over letters that are hidden."""
+    routes = tuple(route for route in find.routes if not _letters(route) & set(hidden))
+    statement = find.statement if find.part in asked else replace(find.statement, part="")
+    return replace(find, statement=statement, routes=routes)
+
+
+def _letters(route: SolvedRoute) -> frozenset[str]:
+    return frozenset(_in_laws(route.stated.laws)) | _in_rule(route.rule)
+
+
+def _named(find: Unknown) -> tuple[str, ...]:
+    return (*find.names, *(each.name for each in find.functions))
+
+
+def _used(find: Unknown) -> frozenset[str]:
+    return frozenset(_in_laws(find.laws)) | _in_rule(find.local)
+
+
+def _beside(solution: Solution, part: str) -> Iterator[str]:
+    """The letters in what a part neglects, shows, or draws."""
+    for each in solution.neglected:
+        if each.statement.part == part:
+            yield from _used(each.bound)
+    for entries in (solution.proofs, solution.examples):
+        if part in entries:
+            yield from _in_laws(entries[part].laws)
+    if part in solution.forces:
+        yield from _in_laws(each.law for each in solution.forces[part].balances)
+
+
+def _in_laws(laws: Iterable[AppliedLaw]) -> Iterator[str]:
+    for law in laws:
+        for relation in law.here:
+            yield from names(relation)
+
+
+def _in_rule(rule: Rule) -> frozenset[str]:
+    """Every letter that a rule mentions."""
+    trees = rule.trees if isinstance(rule, ClosedForms) else rule.settings.values()
+    return frozenset[str]().union(*map(names, trees))
+
+
 _law_name = catalogue("corollary.laws")
 
 DEGREES = unit_of("deg")

@@ -1,9 +1,4 @@
-"""nbgrader's exchange in a course of ours: each student gets the own sheet, in a folder that nobody else can read.
-
-`outbound/SET/STUDENT/` belongs to the student and is closed to all others, so that it does not matter what a student's own
-configuration says. Where that cannot be had, nothing is released, and a sentence says what to do instead. What is fetched,
-handed in and collected has ordinary rights again.
-"""
+"""nbgrader's exchange in which each student fetches the own sheet: rights, release and collection."""
 
 # pyright: reportUnknownMemberType=false
 
@@ -11,10 +6,14 @@ from __future__ import annotations
 
 import os
 import shutil
+import stat
+import struct
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import redirect_stderr, suppress
 from datetime import datetime
 from functools import partial
+from io import StringIO
 from pathlib import Path
 from typing import Any, cast
 
@@ -32,12 +31,59 @@ from nbgrader.utils import get_username
 from corollary.atomic import write_whole
 from corollary.guard import Failure, guarded
 from corollary.messages import few
-from corollary.nbgrader.rights import FILE_RIGHTS, make_ordinary, open_for
+from corollary.nbgrader.gradebook import directory, need_nbgrader, programs_on_path
 from corollary.records.assignments import is_assigned
 from corollary.records.files import BESIDE, Course, open_course, students
 from corollary.records.marks import feedback_place
 from corollary.records.submissions import beside, writable
 from corollary.sandbox.file import bytes_of
+
+ACCESS_LIST, FOR_NEW, READ, SEARCH = "system.posix_acl_access", "system.posix_acl_default", 4, 5
+FOLDER_RIGHTS, FILE_RIGHTS, SHARED = 0o755, 0o644, 0o060
+
+
+def open_for(path: Path, account: int) -> None:
+    """Lets an account read what nobody else but its owner can: by root it becomes the owner; anybody else writes it into the
+    access list of what is the own. Raises OSError where the file system has no such lists."""
+    if os.geteuid() == 0:
+        os.chown(path, account, -1)
+    else:
+        os.setxattr(path, ACCESS_LIST, access_list(account, SEARCH if path.is_dir() else READ))
+
+
+def access_list(account: int, rights: int) -> bytes:
+    """Linux's access list (acl(5), `posix_acl_xattr.h`) by which the owner may do everything, the account this, and nobody else
+    anything."""
+    everything, nothing, of_none = 7, 0, 0xFFFFFFFF
+    entries = (
+        (0x01, everything, of_none),  # the owner
+        (0x02, rights, account),
+        (0x04, nothing, of_none),  # the group
+        (0x10, rights, of_none),  # the most that an account or the group gets
+        (0x20, nothing, of_none),  # all others
+    )
+    return struct.pack("<I", 2) + b"".join(struct.pack("<HHI", *each) for each in entries)
+
+
+def make_ordinary(folder: Path, shared: bool = False) -> None:
+    """Take the access lists off a folder and all that is in it; its owner may write, and others read as far as the umask says.
+
+    A copy by `shutil.copytree` takes the lists and the modes of its source along. `shared`: the group may write, too.
+    """
+    umask = os.umask(0o077)
+    os.umask(umask)
+    for place, _, names in os.walk(folder):
+        for path in (place, *(os.path.join(place, each) for each in names)):
+            if os.path.islink(path) or os.geteuid() not in (0, os.stat(path).st_uid):
+                continue
+            if sys.platform == "linux":
+                for each in (ACCESS_LIST, FOR_NEW):
+                    with suppress(OSError):  # it has none, or the file system knows none
+                        os.removexattr(path, each)
+            mode = os.stat(path).st_mode
+            rights = FOLDER_RIGHTS if stat.S_ISDIR(mode) else FILE_RIGHTS
+            os.chmod(path, (mode & stat.S_ISGID) | (rights & ~umask) | (shared and SHARED))
+
 
 INSTEAD = "give the sheets out with corollary release --to zip, mail, moodle or canvas instead"
 MOST_NAMED = 5
@@ -285,3 +331,33 @@ def _account(student: str) -> int | None:
         return pwd.getpwnam(student).pw_uid
     except (KeyError, ModuleNotFoundError):
         return None
+
+
+def release_in_exchange(course: Course, name: str, force: bool) -> str:
+    """Releases; what stands in the way is said in a sentence, empty when nothing does. Raises NoNbgrader, BrokenConfig."""
+    need_nbgrader()
+    from nbgrader.apps import NbGraderAPI
+    from nbgrader.exchange import ExchangeFactory
+
+    place = directory(course)
+    config = place.config
+    theirs = ExchangeFactory(config=config).release_assignment
+    if not issubclass(theirs, ReleaseOwnSheets):
+        return (
+            f"{theirs.__module__}.{theirs.__name__}, which nbgrader_config.py names, gives everybody the same notebook, with the "
+            f"chapter's numbers (ngshare has one folder for all); {INSTEAD}"
+        )
+    if force:
+        config.ExchangeReleaseAssignment.force = True
+        config.ReleaseOwnSheets.force = True
+    with programs_on_path(), redirect_stderr(StringIO()):
+        result = NbGraderAPI(place, config=config).release_assignment(name)
+    if result["success"]:
+        return ""
+    lines = [
+        line for line in f"{result.get('log', '')}\n{result.get('error', '')}".splitlines() if line.strip()
+    ]
+    failures = [line for line in lines if "CRITICAL" in line or "ERROR" in line or "ExchangeError" in line]
+    return (failures or lines or ["nbgrader gave no reason"])[0].partition("] ")[2].strip() or (
+        failures or lines
+    )[0].strip()

@@ -1,4 +1,4 @@
-"""Answers laid out for a person to mark: part by part, those that are equal as one; and what is given, written at once."""
+"""Answers laid out for a person to mark, and the marks that the person gives."""
 
 # pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 
@@ -13,16 +13,36 @@ from nbformat.v4 import new_notebook
 
 from corollary.grading.grade import NearMiss
 from corollary.messages import did_you_mean
-from corollary.nbgrader.given import give
+from corollary.nbgrader.gradebook import gradebook, has_gradebook, has_seen
 from corollary.nbgrader.marked_notebook import answer_cells, verbatim
 from corollary.nbgrader.marks import stale_pages, synchronized
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.files import Course, ids_of, one_writer, students
-from corollary.records.manual import ManualMark, Place
+from corollary.records.manual import ManualMark, ManualMarks, Place, read_manual, write_manual
 from corollary.records.marks import Record, Row, check_graded, read_marks, write_page
 from corollary.records.near_misses import AnswerGroup, PartToMark, WrittenCell, near_misses
 from corollary.render.wording import points
+
+
+def give(course: Course, given: Mapping[Place, ManualMark]) -> ManualMarks:
+    """Everything that persons gave, these marks last. Whoever calls it is the only writer and has synchronized the course."""
+    journal = read_manual(course)
+    if has_gradebook(course):
+        from corollary.nbgrader.manual import fill, submitted_notebooks, weigh_lateness
+        from corollary.records.marks import stored_record
+
+        with gradebook(course) as book:
+            for notebook, (name, student) in submitted_notebooks(book, {place.set_name for place in given}):
+                marks = {p.part: m for p, m in given.items() if (p.set_name, p.student) == (name, student)}
+                record = stored_record(course, name, student)
+                if marks and record is not None:
+                    fill(notebook, marks, record)
+                    weigh_lateness(notebook, record.late_share)
+            has_seen(book, journal.count + len(given))
+            book.db.commit()
+    write_manual(course, given)
+    return journal.and_then(given)
 
 
 class NotMarkable(ValueError):

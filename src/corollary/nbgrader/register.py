@@ -1,13 +1,14 @@
-"""The set in an nbgrader course: what nbgrader's own commands and formgrader then work on, unchanged."""
+"""The set in an nbgrader gradebook: its notebooks, parts and maxima."""
 
-# pyright: reportUnknownMemberType=false
+# pyright: reportReturnType=false, reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from contextlib import redirect_stderr
 from datetime import UTC
 from io import StringIO
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from nbformat import NotebookNode
 
@@ -23,11 +24,61 @@ from corollary.nbgrader.gradebook import (
     need_nbgrader,
     programs_on_path,
 )
-from corollary.nbgrader.source import source_notebook
-from corollary.notebook.notebook import file_text
+from corollary.notebook.notebook import file_text, notebook
+from corollary.notebook.worksheet import worksheet
 from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import Student
+from corollary.problem.variant import chapter
 from corollary.records.files import Course, students
-from corollary.records.marks import read_records
+from corollary.records.marks import Record, read_records
+
+if TYPE_CHECKING:
+    from nbformat import NotebookNode
+    from nbgrader.api import Gradebook
+
+NOBODY = Student("everybody", "Chapter's own", "numbers")
+
+
+def source_notebook(problem_set: ProblemSet) -> NotebookNode:
+    """The sheet that is nobody's, with a cell for every part."""
+    return notebook(worksheet(problem_set, NOBODY, map(chapter, problem_set.problems)))
+
+
+# nbgrader declares its tables in the old style, which a type checker takes for columns instead of values.
+
+
+def is_registered(book: Gradebook, problem_set: ProblemSet) -> bool:
+    """Whether the gradebook has the set, with every part of it."""
+    return _maxima_now(problem_set).keys() <= _maxima(book, problem_set).keys()
+
+
+def may_follow_points(
+    book: Gradebook, problem_set: ProblemSet, records: Callable[[], Iterable[Record]]
+) -> bool:
+    """Whether it has parts out of other points than they are out of now, in which all marks recorded are."""
+    now = _maxima_now(problem_set)
+    return not now.items() <= _maxima(book, problem_set).items() and all(
+        part.out_of == now.get(key, part.out_of) for record in records() for key, part in record.parts.items()
+    )
+
+
+def _maxima_now(problem_set: ProblemSet) -> dict[str, float]:
+    return {
+        problem.answer_name(part): part.points * problem_set.weight(problem)
+        for problem in problem_set.problems
+        for part in problem.parts
+    }
+
+
+def _maxima(book: Gradebook, problem_set: ProblemSet) -> dict[str, float]:
+    """By the part's name in the notebook; empty where the set is not known."""
+    from nbgrader.api import MissingEntry
+
+    try:
+        notebooks = book.find_assignment(problem_set.name).notebooks
+    except MissingEntry:
+        return {}
+    return {cell.name: cell.max_score for notebook in notebooks for cell in notebook.grade_cells}
 
 
 def register(course: Course, problem_set: ProblemSet, source: NotebookNode, *, agreed: bool = False) -> None:
@@ -63,7 +114,6 @@ def follow_points(course: Course, problem_set: ProblemSet) -> None:
     """Once all marks are out of the points of now, so are nbgrader's parts; nothing without nbgrader."""
     if not has_nbgrader():
         return
-    from corollary.nbgrader.registered import may_follow_points
 
     everybody = [student.id for student in students(course)]
     with gradebook(course) as book:

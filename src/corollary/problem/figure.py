@@ -1,17 +1,281 @@
-"""A problem's figure drawn with a student's numbers, once for each variant."""
+"""The figure of a problem: its lines as the author writes them, drawn at a variant's numbers."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+import re
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Final
+from functools import lru_cache, reduce
+from typing import Any, Final
 
-from corollary.figure.drawing import FigurePanel, describe, draw, unmentioned
+from corollary.figure.drawing import PRIMITIVES, FigurePanel, describe, draw, unmentioned
 from corollary.figure.item import FigureItem, NotDrawable, Place
-from corollary.problem.figure_lines import PANEL, FigureLine, Located, read_lines
+from corollary.figure.primitive import WORDS, Takes
+from corollary.formula.arithmetics import DOUBLES, ready
+from corollary.formula.ast import Relation, names
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.misspelt import one_apart
+from corollary.formula.syntax import author_formula
 from corollary.problem.statement import filled
 from corollary.problem.variant import Variant
+from corollary.units.dimensional_analysis import dimension_of
+from corollary.units.unit import ONE, Dimension
+
+# Brackets in brackets, six deep, such as (a*tan(asin(sin(alpha)/n)),0).
+INSIDE: Final = reduce(lambda inside, _: rf"[^()\"]|\((?:{inside})*\)", range(6), r"[^()\"]")
+TOKEN = re.compile(rf'"(?P<text>[^"]*)"|(?P<word>[a-z]+)=(?P<value>(?:(?!\s){INSIDE})+)|(?P<bare>[^\s"=]+)')
+NAME = re.compile(r"[A-Za-z]\w*$|\d+$")
+ANCHOR = re.compile(r"([A-Za-z]\w*|\d+)(\.(left|right|top|bottom))?$")
+LETTER = re.compile(r"(?<![\w.])[A-Za-z]\w*")
+COMMENT = re.compile(r'(?:^|\s)#[^"]*$')
+PANEL: Final = "panel"
+COUNTS: Final = {
+    "by": (2, 2),
+    "radius": (1, 1),
+    "length": (1, 1),
+    "size": (1, 2),
+    "angle": (1, 1),
+    "between": (2, 2),
+    "turn": (1, 1),
+    "along": (1, 1),
+}
+SAMPLE: Final = {
+    "by": "v,0",
+    "radius": "R",
+    "length": "L",
+    "size": "2,1",
+    "angle": "theta",
+    "between": "0,theta",
+    "turn": "theta",
+    "along": "0.5",
+}
+Number = Callable[[Mapping[str, Any]], float]
+Numbers = tuple[Number, ...]
+Located = str | tuple[Number, Number]
+
+
+@dataclass(frozen=True, slots=True)
+class FigureLine:
+    """A line of the figure, its formulas ready to be evaluated."""
+
+    line: int
+    kind: str
+    name: str
+    texts: tuple[str, ...]
+    places: Mapping[str, tuple[Located, ...]]
+    numbers: Mapping[str, Numbers]
+    flags: frozenset[str]
+    group: str = ""
+    over: tuple[str, Number, Number] | None = None
+
+
+@lru_cache(maxsize=512)
+def read_lines(
+    text: str, givens: tuple[tuple[str, Dimension], ...]
+) -> tuple[tuple[FigureLine, ...], tuple[tuple[int, str], ...]]:
+    """The lines of a figure, and what is wrong with it: line, counted from 0, and sentence."""
+    lines, complaints = list[FigureLine](), list[tuple[int, str]]()
+    reading = _Reading(dict(givens))
+    for at, line in enumerate(text.splitlines()):
+        line = COMMENT.sub("", line).strip()
+        if not line:
+            continue
+        try:
+            lines.append(reading.line(at, line))
+        except ValueError as error:
+            complaints.append((at, f"figure, `{line}`: {error}"))
+    return tuple(lines), tuple(complaints)
+
+
+def in_letters(figure: str, now: Mapping[str, str]) -> str:
+    """The figure with the letters of its formulas called otherwise; names of things stay."""
+
+    def other(found: re.Match[str]) -> str:
+        if found["word"] is None or ANCHOR.match(found["value"]):
+            return found[0]
+        value = LETTER.sub(lambda letter: now.get(letter[0], letter[0]), found["value"])
+        return f"{found['word']}={value}"
+
+    return TOKEN.sub(other, figure)
+
+
+class _Reading:
+    """Reads one line after the other; what lengths are measured in is the same throughout a panel."""
+
+    def __init__(self, dimensions: Mapping[str, Dimension]) -> None:
+        self.dimensions = dimensions
+        self.letters: Mapping[str, Dimension] = dimensions
+        self.length: tuple[str, Dimension] | None = None
+        self.named: set[str] = set()
+
+    def line(self, at: int, text: str) -> FigureLine:
+        """Raises ValueError with a sentence."""
+        self.letters = self.dimensions
+        kind, _, rest = text.partition(" ")
+        if kind != PANEL and kind not in PRIMITIVES:
+            raise ValueError(
+                f"there is no `{kind}`{_meant(kind, PRIMITIVES)}; there are {', '.join(sorted(PRIMITIVES))}"
+            )
+        texts, words, bare = self._tokens(rest)
+        if kind == PANEL:
+            self.length = None
+            self.named.clear()
+            if words or set(bare) - {"below"} or len(texts) > 1:
+                raise ValueError('a panel has a title, and `below` for a new row: panel "after" below')
+            return FigureLine(at, kind, "", texts, {}, {}, frozenset(bare))
+        it = PRIMITIVES[kind]
+        if wrong := next((word for word in words if word not in it.words), ""):
+            known = ", ".join(f"{word}=" for word in sorted(it.words)) or "none"
+            raise ValueError(f"{kind} takes no {wrong}={_meant(wrong, it.words)}; it takes {known}")
+        if len(texts) > it.most_texts:
+            raise ValueError(
+                f"{kind} takes {it.most_texts} text{'s' * (it.most_texts > 1)}, here are {len(texts)}"
+            )
+        flags = frozenset(bare) & it.flags
+        named = [word for word in bare if word not in flags]
+        if len(named) > 1 or (named and not NAME.match(named[0])):
+            guess = named[1] if len(named) > 1 else named[0]
+            raise ValueError(
+                f"`{guess}` is neither a name nor known of {kind}{_meant(guess, it.flags)}; "
+                f"known are {', '.join(sorted(it.flags))}; formulas have no spaces outside of brackets"
+            )
+        if named and it.laid == 0:
+            if named[0] in self.named:
+                raise ValueError(f"two things here are called {named[0]}; give one another name")
+            self.named.add(named[0])
+        over = self._over(words.pop("over")) if "over" in words else None
+        places: dict[str, tuple[Located, ...]] = {}
+        numbers: dict[str, Numbers] = {}
+        group = ""
+        for word, value in words.items():
+            takes = WORDS[word]
+            if takes == "place":
+                places[word] = (self._place(word, value),)
+            elif takes == "places":
+                places[word] = (
+                    tuple(self._place(word, each) for each in _split(value))
+                    if over is None
+                    else (self._place(word, value),)
+                )
+            else:
+                numbers[word], group_of = self._numbers(word, takes, value)
+                group = group_of or group
+        return FigureLine(at, kind, named[0] if named else "", texts, places, numbers, flags, group, over)
+
+    def _tokens(self, rest: str) -> tuple[tuple[str, ...], dict[str, str], list[str]]:
+        texts, words, bare, at = list[str](), dict[str, str](), list[str](), 0
+        while at < len(rest):
+            if rest[at].isspace():
+                at += 1
+                continue
+            found = TOKEN.match(rest, at)
+            if found is None:
+                raise ValueError(
+                    f"cannot read {rest[at:]!r}; texts stand in double quotes, values as word=value without spaces"
+                )
+            if found["text"] is not None:
+                texts.append(found["text"])
+            elif found["word"]:
+                if found["word"] in words:
+                    raise ValueError(f"{found['word']}= stands twice; keep one")
+                words[found["word"]] = found["value"]
+            else:
+                bare.append(found["bare"])
+            at = found.end()
+        return tuple(texts), words, bare
+
+    def _over(self, value: str) -> tuple[str, Number, Number]:
+        letter, *bounds = _split(value)
+        if len(bounds) != 2 or not NAME.match(letter) or letter in self.dimensions:
+            raise ValueError("over= needs a letter that is no given, and from where to where: over=s,0,1")
+        (low, dimension), (high, _other) = self._formula(bounds[0]), self._formula(bounds[1])
+        self.letters = {**self.dimensions, letter: dimension or _other or ONE}
+        return letter, low, high
+
+    def _place(self, word: str, value: str) -> Located:
+        if ANCHOR.match(value) and not value.isdigit():
+            return value
+        inner = value[1:-1] if value.startswith("(") and len(_split(value[1:-1])) == 2 else value
+        parts = _split(inner)
+        if len(parts) != 2:
+            raise ValueError(
+                f"{word}={value} is no place; write two coordinates, {word}=0,h, or a name, {word}=A.top"
+            )
+        return self._measured(word, parts[0]), self._measured(word, parts[1])
+
+    def _numbers(self, word: str, takes: Takes, value: str) -> tuple[Numbers, str]:
+        parts = _split(value)
+        least, most = COUNTS[word]
+        if not least <= len(parts) <= most:
+            wanted = f"{least}" if least == most else f"{least} or {most}"
+            raise ValueError(
+                f"{word}={value}: {word} takes {wanted} number{'s' * (most > 1)}, {word}={SAMPLE[word]}"
+            )
+        if takes == "lengths":
+            return tuple(self._measured(word, part) for part in parts), ""
+        read = [self._formula(part) for part in parts]
+        dimensions = {dimension for _number, dimension in read if dimension is not None}
+        if takes == "vector":
+            if len(dimensions) > 1:
+                raise ValueError(
+                    f"{word}={value}: the components measure different things; both must have one unit"
+                )
+            return tuple(number for number, _dimension in read), str(next(iter(dimensions), ""))
+        if dimensions - {ONE}:
+            raise ValueError(f"{word}={value} is no {'angle' if takes == 'angles' else 'plain number'}")
+        if takes == "angles":
+            return tuple(
+                _in_degrees(number) if dimension is None and "pi" not in part else number
+                for (number, dimension), part in zip(read, parts, strict=True)
+            ), ""
+        return tuple(number for number, _dimension in read), ""
+
+    def _measured(self, word: str, part: str) -> Number:
+        """A coordinate or a length; those with letters in them all measure the same. Plain numbers go with any."""
+        number, dimension = self._formula(part)
+        if dimension is not None:
+            if self.length is None:
+                self.length = (part, dimension)
+            elif self.length[1] != dimension:
+                raise ValueError(
+                    f"{word}={part} does not measure the same as {self.length[0]}, which stands above; "
+                    "the places of one panel are all of one kind, and what is something else is an arrow's by="
+                )
+        return number
+
+    def _formula(self, text: str) -> tuple[Number, Dimension | None]:
+        """A formula of the givens, and what it measures; a number without letters has no dimension of its own."""
+        tree = author_formula(text, self.letters)
+        if isinstance(tree, Relation):
+            raise ValueError(f"{text} is a comparison, no formula")
+        used = names(tree) - {"pi"}
+        found = dimension_of(tree, self.letters)
+        if isinstance(found, ParseError):
+            raise ValueError(f"{text}: {sentence(found)}")
+        return ready(tree, DOUBLES), found if used else None
+
+
+def _in_degrees(number: Number) -> Number:
+    return lambda values: math.radians(number(values))
+
+
+def _split(value: str) -> list[str]:
+    """The parts between commas that stand outside of brackets."""
+    parts, depth = [""], 0
+    for each in value:
+        depth += (each == "(") - (each == ")")
+        if each == "," and not depth:
+            parts.append("")
+        else:
+            parts[-1] += each
+    return [part.strip() for part in parts]
+
+
+def _meant(word: str, known: Iterable[str]) -> str:
+    guess = next((each for each in sorted(known) if one_apart(word, each)), "")
+    return f"; is `{guess}` meant?" if guess else ""
+
 
 SAMPLES: Final = 40
 """Straight pieces of a curve."""

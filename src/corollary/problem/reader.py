@@ -10,8 +10,7 @@ from pathlib import Path
 from corollary.formula.ast import Name, Number, Relation
 from corollary.problem.conditions import relations
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.problem.figure import is_svg
-from corollary.problem.figure_lines import read_lines
+from corollary.problem.figure import is_svg, read_lines
 from corollary.problem.front_matter import ListNode, Reader, TableNode, TextNode, split
 from corollary.problem.given import Given, Grid, decimal_places
 from corollary.problem.givens import read_given

@@ -13,8 +13,7 @@ import msgspec.structs
 
 from corollary.derive.load import NotDerivable, source
 from corollary.problem.bank import UnknownCode, bank_of
-from corollary.problem.figure import is_svg
-from corollary.problem.figure_lines import in_letters
+from corollary.problem.figure import in_letters, is_svg
 from corollary.problem.given import Given
 from corollary.problem.part import Option, Part
 from corollary.problem.pictures import packed_file

@@ -20,8 +20,7 @@ from corollary.problem.part import Part
 from corollary.problem.sampling import spread
 from corollary.problem.variant import Variant, chapter, first_broken
 from corollary.units.unit import show
-from corollary.verify.narrowing import TriedDraw, narrower
-from corollary.verify.walk import HALF
+from corollary.verify.walk import HALF, TriedDraw, narrower
 
 REDRAWN = 10  # are enough to see what it is
 MOST_DRAWS = 2000  # a student's numbers are sought as long

@@ -14,7 +14,7 @@ from corollary.problem.bank import Bank
 from corollary.verify.checked import Tally
 from corollary.verify.obligations.algebra import Algebra
 from corollary.verify.obligations.box import Box
-from corollary.verify.obligations.mistakes import mistaken
+from corollary.verify.obligations.claims import mistaken
 
 SAME = 1e-9  # relative: doubles of one value by two ways
 

@@ -8,8 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from corollary.messages import few
-from corollary.problem.roster import Student, folder_name
-from corollary.problem.roster_columns import EMAILS, ID_NUMBERS, USERNAMES
+from corollary.problem.roster import EMAILS, ID_NUMBERS, USERNAMES, Student, folder_name
 from corollary.records.lms_names import canvas_ids
 from corollary.records.marks_table import MarksTable
 from corollary.render.exports import MarksText, Target

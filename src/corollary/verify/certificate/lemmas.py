@@ -1,16 +1,29 @@
-"""The lemmas that certify a step: its laws hold for what is found, and nothing else fulfils them."""
+"""The lemmas that certify a key: roots, what follows from them, and the printed numbers as an example."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from corollary.derive.solution import Solution, Unknown
-from corollary.formula.ast import Expr, Name, Number, Product, Quotient, Relation, names, substitute, walk
-from corollary.formula.ball import certified
+from corollary.formula.ast import (
+    Call,
+    Expr,
+    Name,
+    Number,
+    Product,
+    Quotient,
+    Relation,
+    names,
+    substitute,
+    walk,
+)
+from corollary.formula.ball import certified, evaluate
 from corollary.formula.errors import Undefined
+from corollary.formula.exact import exactly
 from corollary.formula.rational_pi import RationalPi
 from corollary.formula.text import text
 from corollary.polynomials.polynomial import TooLarge
@@ -19,11 +32,95 @@ from corollary.polynomials.translate import Translation
 from corollary.problem.sampling import sample
 from corollary.problem.variant import Variant, chapter, first_broken
 from corollary.verify.certificate.coq import NotAlgebraic, Roots, comment, coq, coq_name, number, polynomial
-from corollary.verify.certificate.from_roots import combined, zero
-from corollary.verify.certificate.printed_example import TACTIC, witnesses
 from corollary.verify.obligations.box import Box
+from corollary.verify.obligations.claims import only_roots
 from corollary.verify.obligations.obligation import Equations
-from corollary.verify.obligations.roots import only_roots
+
+
+def combined(top: Any, equations: Sequence[tuple[int, Relation, RationalFunction]]) -> str:
+    """Tactics that show a polynomial to be zero by the equations R0, R1, … of roots, each with its place, itself and left side less
+    right side; "" where it is no combination of them.
+
+    Each root is divided out in turn, the last one made first: the others may stand in it.
+    """
+    letters = top.context().names()
+    factor, rest = top.context().constant(1), top
+    terms = list[tuple[Any, int, Any]]()
+    for place, known, gap in reversed(equations):
+        letter = min(names(known.left))
+        at = letters.index(letter)
+        square = _coefficient(gap.top, at, 2)
+        while (degree := int(rest.degrees()[at])) >= 2:
+            by = _coefficient(rest, at, degree) * top.context().gen(at) ** (degree - 2)
+            rest = square * rest - by * gap.top
+            factor, terms = square * factor, [(square * each, i, other) for each, i, other in terms]
+            terms.append((by, place, gap.top))
+    if not terms or not rest.is_zero():
+        return ""
+    total = " + ".join(f"{polynomial(by)} * {polynomial(other)}" for by, _, other in terms)
+    rewritten = ", ".join(f"?R'{place}" for place in dict.fromkeys(place for _, place, _ in terms))
+    return (
+        f"apply (Rmult_eq_reg_l {polynomial(factor)}); "
+        f"[ replace ({polynomial(factor)} * {polynomial(top)}) with ({total}) by ring; rewrite {rewritten}; ring | nonzero ]"
+    )
+
+
+def zero(name: str, gap: RationalFunction, left: str, right: str) -> str:
+    """That the numerator of left side less right side is zero, since the sides are equal."""
+    top, bottom = polynomial(gap.top), polynomial(gap.bottom)
+    return (
+        f"assert ({name} : {top} = 0).\n"
+        f"  {{ replace {top} with (({left} - {right}) * {bottom}) by (field; nonzero). replace ({left} - {right}) with 0 by lra. ring. }}"
+    )
+
+
+def _coefficient(found: Any, at: int, degree: int) -> Any:
+    """Of a polynomial of python-flint the coefficient of a letter's power, as a polynomial in the other letters."""
+    terms = {
+        tuple(0 if place == at else power for place, power in enumerate(powers)): coefficient
+        for powers, coefficient in found.to_dict().items()
+        if int(powers[at]) == degree
+    }
+    return found.context().from_dict(terms)
+
+
+HALF_ANGLE = (
+    10**6
+)  # the largest denominator of the tangent of half an angle, whose sine and cosine are rational then
+PI = Fraction(314159265358979, 10**14)
+TACTIC = "first [ lra | field; lra | nra ]"
+
+
+def witnesses(
+    givens: Mapping[str, RationalPi], roots: Mapping[Expr, str], meant: Mapping[str, Expr]
+) -> dict[str, Fraction]:
+    """A rational number for each letter: the givens (angles rounded), roots, sines and cosines, and what is found. Raises NotAlgebraic."""
+    found = {name: value.ratio * PI**value.pi for name, value in givens.items()}
+    angles = dict[Expr, tuple[Fraction, Fraction]]()
+    for tree, letter in roots.items():
+        if not isinstance(tree, Call):
+            raise NotAlgebraic("it has a root of another kind")
+        known = {name: RationalPi(value) for name, value in found.items()}
+        (inner,) = tree.arguments
+        if tree.function == "sqrt":
+            exact = exactly(tree, known)
+            if exact is None or exact.pi:
+                raise NotAlgebraic("a root is irrational at the printed numbers")
+            found[letter] = exact.ratio
+            continue
+        if inner not in angles:
+            half = Fraction(math.tan(float(evaluate(inner, known, 64).mid()) / 2)).limit_denominator(
+                HALF_ANGLE
+            )
+            angles[inner] = 2 * half / (1 + half**2), (1 - half**2) / (1 + half**2)
+        found[letter] = angles[inner][0 if tree.function == "sin" else 1]
+    known = {name: RationalPi(value) for name, value in found.items()}
+    for name, tree in meant.items():
+        exact = exactly(tree, known)
+        if exact is None or exact.pi:
+            raise NotAlgebraic("what is found is irrational at the printed numbers")
+        found[name] = exact.ratio
+    return found
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,7 +31,6 @@ from corollary.scenes.catalogue import run
 from corollary.scenes.plan import followed
 from corollary.scenes.run import BadSetting, GuardFailed, Run
 from corollary.verify.expected_answers import difference, foreseen, in_order
-from corollary.verify.figures import as_printed
 from corollary.verify.mutation.numeric_roots import FAILURES, NumericEquations, Values
 from corollary.verify.mutation.resolved import BentSteps, Laws, Resolver
 from corollary.verify.mutation.spots import (
@@ -45,8 +44,8 @@ from corollary.verify.mutation.spots import (
     fulfilled,
     spot_at,
 )
-from corollary.verify.obligations.signs import size_asked
-from corollary.verify.printed import readings_of
+from corollary.verify.obligations.claims import size_asked
+from corollary.verify.printed import as_printed, readings_of
 from corollary.verify.walk import meets
 from corollary.verify.words.asked_sign import magnitudes_asked
 

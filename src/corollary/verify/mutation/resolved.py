@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from corollary.derive.again import Functions, OtherRoots, SolvedAgain, functions_of
-from corollary.derive.known import FoundFunction
+from corollary.derive.assumptions import FoundFunction
 from corollary.derive.statements import Optimum, Step
 from corollary.derive.time_limit import TooLong, time_limit
 from corollary.formula.arithmetics import DOUBLES, NotAvailable, ready

@@ -9,7 +9,7 @@ from corollary.derive.put_back import PutBack
 from corollary.derive.solution import Solution
 from corollary.problem.bank import Bank
 from corollary.verify.checked import Tally
-from corollary.verify.obligations.laws import laws_of
+from corollary.verify.obligations.claims import laws_of
 from corollary.verify.obligations.obligation import Settled
 from corollary.verify.obligations.settle import settled
 

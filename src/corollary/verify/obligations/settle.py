@@ -18,14 +18,22 @@ from corollary.problem.sampling import sample
 from corollary.problem.variant import Variant, number
 from corollary.verify.obligations.algebra import Algebra
 from corollary.verify.obligations.box import Box
-from corollary.verify.obligations.created import not_created
-from corollary.verify.obligations.laws import laws_hold
-from corollary.verify.obligations.mistakes import apart, differing
+from corollary.verify.obligations.claims import (
+    NOT_FOUND,
+    always_so,
+    apart,
+    differing,
+    existing,
+    laws_hold,
+    needed,
+    not_created,
+    not_zero,
+    of_claimed_sign,
+    one_case,
+    only_roots,
+)
 from corollary.verify.obligations.nonlinear import STEPS, installed, no_exception, only_root
 from corollary.verify.obligations.obligation import REDRAWN, Clause, Obligation, Settled
-from corollary.verify.obligations.regimes import one_case
-from corollary.verify.obligations.roots import NOT_FOUND, only_roots
-from corollary.verify.obligations.signs import always_so, of_claimed_sign
 from corollary.verify.obligations.subdivision import (
     MOST_BOXES,
     any_holds,
@@ -35,7 +43,6 @@ from corollary.verify.obligations.subdivision import (
     verdict,
 )
 from corollary.verify.obligations.uniqueness import another_root, fulfils, leading
-from corollary.verify.obligations.values import existing, needed, not_zero
 
 POINTS = 256  # tried first: most of what does not hold fails there, and no prover has to find it
 FEW_BOXES = 3_000  # before z3 is asked, which takes longer

@@ -19,8 +19,7 @@ from corollary.verify.words.author_text import (
     texts_of_translation,
 )
 from corollary.verify.words.drawn_figure import misdrawn
-from corollary.verify.words.exchanged_holes import exchanged, translated_otherwise
-from corollary.verify.words.hole_words import mislabelled
+from corollary.verify.words.holes import exchanged, mislabelled, translated_otherwise
 from corollary.verify.words.typed_givens import typed_givens
 
 

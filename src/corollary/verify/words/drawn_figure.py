@@ -6,8 +6,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from corollary.problem.figure import is_svg
-from corollary.problem.figure_lines import FigureLine, read_lines
+from corollary.problem.figure import FigureLine, is_svg, read_lines
 from corollary.problem.given import Given
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample

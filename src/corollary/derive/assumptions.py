@@ -1,22 +1,20 @@
-"""What is known so far while a derivation is solved: closed forms, dimensions, and the numbers at sample points."""
+"""Assumptions while a derivation is solved: closed forms so far, signs, and what the conditions say of letters."""
 
 # pyright: reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from copy import copy
 from dataclasses import dataclass, replace
-from functools import lru_cache
-from typing import Any, cast
+from functools import lru_cache, reduce
+from typing import TYPE_CHECKING, Any, cast
 
 import sympy
 from sympy.core.function import AppliedUndef
 
-from corollary.derive.logarithms import logarithms_together
-from corollary.derive.signs import symbol_of
 from corollary.derive.solution import ClosedForms, SolvedFunction, SupposedValue
-from corollary.formula.ast import Expr, Number, Relation, names
+from corollary.formula.ast import Expr, Name, Number, Relation, names
 from corollary.formula.ast import substitute as put_in
 from corollary.formula.authored import as_expression
 from corollary.formula.ball import RationalPi, Undefined, evaluate, holds
@@ -28,6 +26,105 @@ from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
 from corollary.problem.variant import Variant, chapter, written_apart
 from corollary.units.dimensional_analysis import Dimension, dimension_of
+
+if TYPE_CHECKING:
+    import sympy
+
+ABOVE, BELOW = {1: "positive", 0: "nonnegative"}, {1: "negative", 0: "nonpositive"}
+
+
+def symbol_of(problem: Problem, name: str) -> sympy.Symbol:
+    """A given as a symbol; it is positive (or not negative, …) when the `require:` of the problem say so, `0 < a < b` of both."""
+    import sympy  # only here: see above
+
+    known: dict[str, bool] = {}
+    pairs = list(_in_order(problem))
+    if (strict := _beyond_zero(pairs, name)) is not None:
+        known[ABOVE[strict]] = True
+    turned = [(more, less, strict) for less, more, strict in pairs]
+    if (strict := _beyond_zero(turned, name)) is not None:
+        known[BELOW[strict]] = True
+    return sympy.Symbol(name, real=True, **known)
+
+
+def _in_order(problem: Problem) -> Iterator[tuple[Expr, Expr, int]]:
+    """The smaller and the larger side of each condition that holds everywhere, and 1 where they are never equal."""
+    for condition in problem.conditions:
+        left, right, sign = condition.relation.left, condition.relation.right, condition.relation.sign
+        if condition.hard and sign in ("<", "<=", ">", ">="):
+            yield (left, right, len(sign) == 1) if sign[0] == "<" else (right, left, len(sign) == 1)
+
+
+def _beyond_zero(pairs: list[tuple[Expr, Expr, int]], name: str) -> int | None:
+    """1 where the letter is on the far side of a chain of conditions that begins at zero, 0 where it may be zero itself."""
+    best: dict[str, int] = {}
+    for _round in pairs:
+        for near, far, strict in pairs:
+            match near, far:
+                case Number(value), Name(letter) if value == 0:
+                    start = 0
+                case Name(other), Name(letter) if other in best:
+                    start = best[other]
+                case _:
+                    continue
+            best[letter] = max(best.get(letter, 0), start, int(strict))
+    return best.get(name)
+
+
+def logarithms_together(expr: sympy.Expr) -> sympy.Expr:
+    """The same where every logarithm in it is real: those added with the same factor are one, of a product or quotient.
+
+    `ln(2^x)` is x ln 2, and `-ln(A/B)` is ln(B/A).
+    """
+    if not expr.args or not expr.has(sympy.log):
+        return expr
+    inner: Any = expr.func(*(logarithms_together(cast(sympy.Expr, each)) for each in expr.args))
+    match inner:
+        case sympy.log(args=(sympy.Pow(base=base, exp=exp),)) if base.is_positive:
+            return exp * sympy.log(base)
+        case sympy.Add():
+            return _added(inner)
+        case sympy.Mul() if inner.could_extract_minus_sign():
+            return _turned(inner)
+        case _:
+            return inner
+
+
+def _added(total: sympy.Add) -> sympy.Expr:
+    """Terms with one logarithm each, grouped by what stands beside it but for a rational number."""
+    groups: dict[Any, list[tuple[Any, Any]]] = {}
+    rest: list[Any] = []
+    for term in total.args:
+        factors: tuple[Any, ...] = sympy.Mul.make_args(term)
+        logs = [each for each in factors if isinstance(each, sympy.log)]
+        if len(logs) == 1:
+            number, beside = sympy.Mul(*(each for each in factors if each is not logs[0])).as_coeff_Mul()
+            if number.is_Rational:
+                groups.setdefault(beside, []).append((number, logs[0].args[0]))
+                continue
+        rest.append(term)
+    if all(len(group) == 1 for group in groups.values()):
+        return total
+    return sympy.Add(*rest, *(beside * _one(group) for beside, group in groups.items()))
+
+
+def _one(group: list[tuple[Any, Any]]) -> sympy.Expr:
+    """The sum of numbers times logarithms as one logarithm; a number before it where all have it."""
+    common = reduce(sympy.gcd, (abs(number) for number, _argument in group))
+    product = sympy.Mul(*(argument ** (number / common) for number, argument in group))
+    return _turned(common * sympy.log(product))
+
+
+def _turned(product: Any) -> Any:
+    """A minus before the logarithm of a quotient, put into it."""
+    logs = [each for each in sympy.Mul.make_args(product) if isinstance(each, sympy.log)]
+    if len(logs) != 1 or not product.could_extract_minus_sign():
+        return product
+    argument: Any = logs[0].args[0]
+    if sympy.fraction(argument)[1].is_number:
+        return product
+    return -product.xreplace({logs[0]: sympy.log(1 / argument)})
+
 
 DIGITS, BITS = 30, 128
 ENOUGH = 100  # bits: 30 digits; a ball that knows fewer is left to sympy, which adds precision until it knows

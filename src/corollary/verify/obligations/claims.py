@@ -1,0 +1,376 @@
+"""Claims to be proven: laws hold, regimes exclude each other, signs, roots, mistakes that differ from the truth, values."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import combinations, product
+
+from corollary.derive.solution import AppliedLaw, ClosedForms, Rule, Solution, Unknown
+from corollary.formula.ast import (
+    Call,
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+    children,
+    names,
+    opposite,
+    substitute,
+)
+from corollary.formula.exact import constant
+from corollary.formula.operators import has_operators
+from corollary.grading.assign import APART, visible_mistakes
+from corollary.grading.replay import ancestors
+from corollary.grading.rounding import MOST
+from corollary.problem.part import Part
+from corollary.verify.obligations.obligation import Clause, Equations, Obligation
+
+ZERO, ONE, TWO = (Number(Fraction(each)) for each in (0, 1, 2))
+
+
+def existing(solution: Solution) -> Iterator[Obligation]:
+    """Every answer, and all on the way to it, has a value."""
+    for find in solution.unknowns:
+        claim = f"{', '.join(find.names)} has a value"
+        if find.in_givens is None:
+            yield Obligation("value exists", claim, find.statement.line, open="it comes from a simulation")
+        else:
+            needs = dict.fromkeys(need for tree in find.in_givens for need in needed(tree))
+            yield Obligation(
+                "value exists",
+                claim,
+                find.statement.line,
+                tuple((need,) for need in needs),
+                formulas=find.in_givens,
+            )
+
+
+def not_zero(solution: Solution) -> Iterator[Obligation]:
+    """No answer is zero where nothing says how large an error would be large."""
+    for find in solution.unknowns:
+        if find.part and find.in_givens is not None:
+            part = next(each for each in solution.problem.parts if each.id == find.part)
+            zero = Number(Fraction(part.unit.offset))
+            sizes: list[Expr] = [
+                Sum((tree, Negative(zero))) if zero.value else tree for tree in find.in_givens
+            ]
+            sizes += [find.scale] if find.scale is not None else []
+            need = (
+                Relation("!=", sizes[0], ZERO)
+                if len(sizes) == 1
+                else Relation(">", Sum(tuple(Power(each, TWO) for each in sizes)), ZERO)
+            )
+            claim = f"part {find.part} is not zero" + (", or has a scale" if find.scale is not None else "")
+            yield Obligation("not zero", claim, find.statement.line, ((need,),), redrawn=True)
+
+
+def needed(tree: Expr) -> Iterator[Relation]:
+    """What must hold so that a formula has a value: of its parts first."""
+    for part in children(tree):
+        yield from needed(part)
+    match tree:
+        case Quotient(_, bottom) if not constant(bottom):
+            yield Relation("!=", bottom, ZERO)
+        case Power(base, exponent):
+            power = constant(exponent)
+            if power is None:
+                yield Relation(">", base, ZERO)
+            elif power.denominator > 1 and not _positive(base):
+                yield Relation(">" if power < 0 else ">=", base, ZERO)
+            elif power < 0 and not constant(base):
+                yield Relation("!=", base, ZERO)
+        case Call("sqrt", (of,)) if not _positive(of):
+            yield Relation(">=", of, ZERO)
+        case Call("ln" | "log10" | "gamma", (of,)):
+            yield Relation(">", of, ZERO)
+        case Call("asin" | "acos", (of,)):
+            yield Relation("<=", of, ONE)
+            yield Relation(">=", of, Negative(ONE))
+        case Call("tan", (of,)):
+            yield Relation("!=", Call("cos", (of,)), ZERO)
+        case Call("atan2", (y, x)):
+            yield Relation(">", Sum((Power(y, TWO), Power(x, TWO))), ZERO)
+        case Product() | Name() | _:
+            pass
+
+
+def _positive(tree: Expr) -> bool:
+    """Of a formula without letters."""
+    value = constant(tree)
+    return value is not None and value > 0
+
+
+def laws_of(names: Sequence[str]) -> str:
+    """The claim about the step that finds these."""
+    return f"the laws of {', '.join(names)} hold for what is found"
+
+
+def laws_hold(solution: Solution) -> Iterator[Obligation]:
+    """One claim for each step. That its laws vanish is found by whoever puts them back; here, that they have a value."""
+    found: dict[str, Expr] = {}
+    for find in solution.unknowns:
+        if find.in_givens is not None:
+            found |= zip(find.names, find.in_givens, strict=True)
+        found |= find.aside
+        if not find.laws:
+            continue
+        claim, line = laws_of(find.names), find.statement.line
+        here = [relation for law in find.laws for relation in law.here]
+        if find.in_givens is None:
+            yield Obligation("laws hold", claim, line, open="it rests on a simulation")
+        elif any(map(has_operators, here)):
+            yield Obligation("laws hold", claim, line, open="a differential equation, tried at points")
+        else:
+            sides = [substitute(side, found) for each in here for side in (each.left, each.right)]
+            needs = dict.fromkeys(need for side in sides for need in needed(side))
+            yield Obligation("laws hold", claim, line, tuple((need,) for need in needs))
+
+
+MOST_CLAUSES = 64
+TRUE, FALSE = Relation("=", ZERO, ZERO), Relation("=", ONE, ZERO)
+
+
+def one_case(solution: Solution) -> Iterator[Obligation]:
+    """Of the cases, and of the options of each choice."""
+    if solution.regimes:
+        line = min(each.line for each in solution.regimes)
+        yield _exactly_one([each.conditions for each in solution.regimes], "exactly one case holds", line)
+    for part, choice in solution.choices.items():
+        held = [
+            each if isinstance(each, Relation) else TRUE if each else FALSE
+            for each in choice.options.values()
+        ]
+        claim = f"exactly one option of part {part} holds"
+        yield _exactly_one([(each,) for each in held], claim, choice.statement.line)
+
+
+def _exactly_one(cases: list[Clause], claim: str, line: int) -> Obligation:
+    """One at least: whichever condition is taken of each case, one of those holds. No two: a condition of the two fails."""
+    every = list(product(*cases))
+    pairs = [tuple(map(opposite, (*one, *other))) for one, other in combinations(cases, 2)]
+    if len(every) + len(pairs) > MOST_CLAUSES:
+        return Obligation("one case", claim, line, open="there are too many conditions")
+    return Obligation("one case", claim, line, (*every, *pairs))
+
+
+SIZES = (
+    "speed", "distance", "height", "depth", "length", "width", "radius", "diameter", "duration", "mass", "magnitude", "period",
+    "frequency", "kinetic energy",
+)  # fmt: skip
+ASKED = re.compile(
+    rf"\b(?:at |with )?(?:what|which)(?: (?:is|was|are|were|must be|will be))?(?: (?:the|its|their|your|his|her))?(?: \w+)?"
+    rf" (?P<size>{'|'.join(SIZES)})\b(?! (?:difference|change))|\bhow (?P<how>fast|long|far|high|deep|heavy|many)\b",
+    re.IGNORECASE,
+)
+TRUE_AT_ONCE = "sympy takes the condition for true before it has numbers; in quotes it is proven as it stands"
+
+
+def of_claimed_sign(solution: Solution) -> Iterator[Obligation]:
+    """Of the answers whose part asks in English for what cannot be negative."""
+    for find in solution.unknowns:
+        if not find.part or find.in_givens is None or len(find.in_givens) != 1:
+            continue
+        words = size_asked(solution.problem.part(find.part))
+        if not words:
+            continue
+        (tree,) = find.in_givens
+        claim = f"part {find.part} is not negative, for it asks {words!r}"
+        yield Obligation("claimed sign", claim, find.statement.line, ((Relation(">=", tree, ZERO),),))
+
+
+def size_asked(part: Part) -> str:
+    """The words by which a question asks for what cannot be negative; "" where it does not."""
+    asked = ASKED.search(part.text)
+    if asked is None or part.unit.offset:
+        return ""
+    return asked["size"] or f"how {asked['how']}"
+
+
+def always_so(solution: Solution) -> Iterator[Obligation]:
+    """What the statement says in words, and `always(…)` in the solution as a condition."""
+    for each in solution.always:
+        needs = each.conditions
+        yield Obligation(
+            "claimed", each.words, each.line, needs, open="" if needs else TRUE_AT_ONCE, tried=False
+        )
+
+
+Body = tuple[Expr, tuple[Expr, ...]]
+"""A mass, and the components of a velocity."""
+
+
+def not_created(solution: Solution) -> Iterator[Obligation]:
+    """After two bodies or more have met, they have no more kinetic energy than before; every mass is positive."""
+    found: dict[str, Expr] = {}
+    for find in solution.unknowns:
+        own = zip(find.names, find.in_givens, strict=True) if find.in_givens is not None else ()
+        found |= own
+        found |= find.aside
+        known = found.keys() | {given.symbol for given in solution.problem.givens} | {"pi"}
+        for law in find.laws:
+            if law.name != "Conservation of momentum":
+                continue
+            before, after = (_bodies(law, side) for side in (0, 1))
+            every = [tree for mass, speeds in (*before, *after) for tree in (mass, *speeds)]
+            if not before or not after or any(names(tree) - known for tree in every):
+                continue
+            masses = dict.fromkeys(substitute(mass, found) for mass, _ in (*before, *after))
+            needs = tuple(
+                (Relation(">", mass, ZERO),)
+                for mass in masses
+                if not (isinstance(mass, Number) and mass.value > 0)
+            )
+            line = find.statement.line
+            yield Obligation("not created", f"the masses around {find.names[0]} are positive", line, needs)
+            if len(before) > 1:
+                spent = Relation("<=", substitute(_energy(after), found), substitute(_energy(before), found))
+                claim = f"no kinetic energy is created where {', '.join(find.names)} is found"
+                yield Obligation("not created", claim, line, ((spent,),))
+
+
+def _bodies(law: AppliedLaw, side: int) -> list[Body]:
+    """The bodies of one side of the law; none where it is not a sum of masses times velocities."""
+    components = [(relation.left, relation.right)[side] for relation in law.here]
+    terms = [each.terms if isinstance(each, Sum) else (each,) for each in components]
+    if any(not isinstance(term, Product) or len(term.factors) != 2 for each in terms for term in each):
+        return []
+    return [
+        (column[0].factors[0], tuple(term.factors[1] for term in column))  # type: ignore[union-attr]
+        for column in zip(*terms, strict=True)
+    ]
+
+
+def _energy(bodies: list[Body]) -> Expr:
+    """Twice the kinetic energy."""
+    terms = [Product((mass, Sum(tuple(Power(each, TWO) for each in speeds)))) for mass, speeds in bodies]
+    return Sum(tuple(terms)) if len(terms) > 1 else terms[0]
+
+
+Found = Mapping[str, Expr]
+NOT_FOUND = "that the algebra system has found all roots is not proven"
+
+
+def only_roots(solution: Solution) -> Iterator[Obligation]:
+    """For each step: its condition holds for the root that is meant, and for no other that is real."""
+    found: dict[str, Expr] = {}
+    for find in solution.unknowns:
+        if find.laws:
+            yield _only_root(find, found)
+        if find.in_givens is not None:
+            found |= zip(find.names, find.in_givens, strict=True)
+        found |= find.aside
+
+
+def _only_root(find: Unknown, found: Found) -> Obligation:
+    claim = f"{', '.join(find.names)} is the only admissible root of its laws"
+    line = find.statement.line
+    if find.in_givens is None:
+        return Obligation("one root", claim, line, open="it rests on a simulation", tried=False)
+    if find.where is None:
+        return Obligation("one root", claim, line, open="its condition is no relation")
+    here = [relation for law in find.laws for relation in law.here]
+    meant = dict(zip(find.names, find.in_givens, strict=True)) | dict(find.aside)
+    needs: list[Clause] = [(_put(each, meant | dict(found)),) for each in find.where]
+    rejected = [each.values for each in find.others if each.worded]
+    others = [each.values for each in find.others if not each.worded and each.values]
+    partial = [_not_admitted(other, meant, find.where, found) for other in others]
+    equations = None
+    if not any(map(has_operators, here)) and all(rejected):
+        where = [_put(each, found) for each in find.where]
+        laws = tuple(_put(each, found) for each in here)
+        equations = Equations(laws, tuple(meant), meant, tuple(rejected), tuple(where), tuple(others))
+    return Obligation(
+        "one root", claim, line, tuple(needs), equations, tuple(partial), open="" if equations else NOT_FOUND
+    )
+
+
+def _not_admitted(other: Found, meant: Found, where: tuple[Relation, ...], found: Found) -> Clause:
+    """That another root is the one that is meant, breaks a condition, or has no value: a relation that is never true says so."""
+    broken = tuple(opposite(_put(each, dict(other) | dict(found))) for each in where)
+    no_value = (
+        () if where and len(other) == 1 else tuple(Relation("!=", each, each) for each in other.values())
+    )
+    return (*_same(other, meant), *broken, *no_value)
+
+
+def _same(other: Found, meant: Found) -> Clause:
+    """That another root of one unknown is there the one that is meant: a double root."""
+    (name, *more) = other
+    return () if more or name not in meant else (Relation("=", other[name], meant[name]),)
+
+
+def _put(relation: Relation, meaning: Found) -> Relation:
+    return Relation(relation.sign, substitute(relation.left, meaning), substitute(relation.right, meaning))
+
+
+def apart(solution: Solution) -> Iterator[Obligation]:
+    """Every mistake is told from the truth, in the parts where it shows first; numbers for which it is not are redrawn."""
+    for each in visible_mistakes(solution):
+        claim = f"part {each.part}: {each.mistake.text!r} is told from the truth"
+        line, find = each.mistake.line, solution.unknowns[each.at]
+        largest = max(MOST, solution.problem.part(each.part).tolerance)
+        share = Number(Fraction(str(largest)) + Fraction(str(APART)))  # relative: beyond, it is told apart
+        wrong = mistaken(solution, each.place, each.mistake.rule, each.at)
+        if find.in_givens is None or wrong is None:
+            why = "it rests on a simulation"
+            yield Obligation("mistake apart", claim, line, redrawn=True, open=why)
+        elif solution.problem.part(each.part).rows:
+            pairs = zip(wrong, find.in_givens, strict=True)
+            need = tuple(
+                far for mine, tree in pairs for far in _far((mine,), (tree,), (tree,), share) if mine != tree
+            )
+            yield Obligation("mistake apart", claim, line, (need,), redrawn=True)
+        else:
+            sizes = [find.in_givens, *([] if find.scale is None else [(find.scale,)])]
+            needs = [_far(wrong, find.in_givens, size, share) for size in sizes]
+            yield Obligation("mistake apart", claim, line, tuple(needs), redrawn=True)
+
+
+def differing(solution: Solution) -> Iterator[Obligation]:
+    """Some numbers tell any two mistakes of a step apart: checked by `settle` at single points, which is all it takes."""
+    for place, find in enumerate(solution.unknowns):
+        rules = [(each, mistaken(solution, place, each.rule, place)) for each in find.mistakes]
+        for (one, left), (other, right) in combinations(rules, 2):
+            if left is not None and right is not None:
+                claim = f"{one.text!r} and {other.text!r} are two mistakes"
+                need: Clause = tuple(Relation("!=", a, b) for a, b in zip(left, right, strict=True))
+                yield Obligation("mistakes differ", claim, other.line, (need,))
+
+
+def mistaken(solution: Solution, place: int, rule: Rule, at: int) -> tuple[Expr, ...] | None:
+    """What is found at a place in givens, where an earlier step (or its own) follows another rule; None where a scene is run."""
+    meaning: dict[str, Expr] = {}
+    trees: tuple[Expr, ...] | None = None
+    for here, find in enumerate(solution.unknowns[: at + 1]):
+        if here == place or (here > place and place in ancestors(solution, here)):
+            by = rule if here == place else find.local
+            trees = (
+                tuple(substitute(tree, meaning) for tree in by.trees) if isinstance(by, ClosedForms) else None
+            )
+        else:
+            trees = find.in_givens
+        if trees is None:
+            if here in (place, at) or here in ancestors(solution, at):
+                return None
+            continue
+        meaning |= zip(find.names, trees, strict=True)
+    return trees
+
+
+def _far(wrong: tuple[Expr, ...], truth: tuple[Expr, ...], size: tuple[Expr, ...], share: Number) -> Clause:
+    """The distance is larger than the share of the size: for numbers without squares, whose factors are seen at once."""
+    gaps = [Sum((mine, Negative(theirs))) for mine, theirs in zip(wrong, truth, strict=True)]
+    if len(gaps) == len(size) == 1:
+        allowed = Product((share, size[0]))
+        beyond = Product((Sum((gaps[0], Negative(allowed))), Sum((gaps[0], allowed))))
+        return (Relation(">", beyond, ZERO),)
+    far = Sum(tuple(Power(each, TWO) for each in gaps)) if len(gaps) > 1 else Power(gaps[0], TWO)
+    own = [Power(Product((share, each)), TWO) for each in size]
+    return (Relation(">", far, Sum(tuple(own)) if len(own) > 1 else own[0]),)
