@@ -24,7 +24,8 @@ from corollary.units.unit import ONE, Unit
 _ = catalogue(__name__)
 
 Read = Numbers | Formulas | Blank | Unclear
-DECIMAL_COMMA = re.compile(r"\s*[-+−–]?\s*\d+,\d+(?:\s*[^\d\s,;][^\d,;]*)")
+DECIMAL_COMMA = re.compile(r"[-+−–]?\s?\d+,\d+\s?[^\d\s,;][^\d,;]*")
+LONGEST = 200  # letters of a text that is tried as one number with a decimal comma
 
 
 def vector(value: Value, question: Question) -> Read:
@@ -108,7 +109,7 @@ def _each(items: Sequence[Value], question: Question) -> Read:
 
 def _in_one_text(text: str, question: Question) -> Read:
     count = len(question.components)
-    if DECIMAL_COMMA.fullmatch(text) and (one := _along_one_axis(text, question)) is not None:
+    if len(text) <= LONGEST and DECIMAL_COMMA.fullmatch(text.strip()) and (one := _along_one_axis(text, question)) is not None:
         return one  # `1,6 Ns upwards`
     found = read_quantities(text, question.unit, count, question.components)
     if not isinstance(found, ParseError):
