@@ -16,7 +16,7 @@ from types import ModuleType
 from typing import Any, cast
 
 from corollary.answers.questions import checked
-from corollary.derive.assumptions import symbol_of
+from corollary.derive.signs import symbol_of
 from corollary.derive.beside import files_beside, importable
 from corollary.derive.cases import Branch
 from corollary.derive.comparison import NAMES, compiled
