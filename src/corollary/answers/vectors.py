@@ -109,7 +109,11 @@ def _each(items: Sequence[Value], question: Question) -> Read:
 
 def _in_one_text(text: str, question: Question) -> Read:
     count = len(question.components)
-    if len(text) <= LONGEST and DECIMAL_COMMA.fullmatch(text.strip()) and (one := _along_one_axis(text, question)) is not None:
+    if (
+        len(text) <= LONGEST
+        and DECIMAL_COMMA.fullmatch(text.strip())
+        and (one := _along_one_axis(text, question)) is not None
+    ):
         return one  # `1,6 Ns upwards`
     found = read_quantities(text, question.unit, count, question.components)
     if not isinstance(found, ParseError):

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import lru_cache, reduce
@@ -15,7 +15,7 @@ from sympy.core.function import AppliedUndef
 
 from corollary.derive.signs import symbol_of
 from corollary.derive.solution import ClosedForms, SolvedFunction, SupposedValue
-from corollary.formula.ast import Expr, Name, Number, Relation, names
+from corollary.formula.ast import Expr, Number, Relation, names
 from corollary.formula.ast import substitute as put_in
 from corollary.formula.authored import as_expression
 from corollary.formula.ball import RationalPi, Undefined, evaluate, holds
@@ -27,6 +27,7 @@ from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
 from corollary.problem.variant import Variant, chapter, written_apart
 from corollary.units.dimensional_analysis import Dimension, dimension_of
+
 
 def logarithms_together(expr: sympy.Expr) -> sympy.Expr:
     """The same where every logarithm in it is real: those added with the same factor are one, of a product or quotient.
