@@ -1,4 +1,4 @@
-"""How far off the key a question lets an answer be, as each kind of file says it."""
+"""Tolerances of questions, as each kind of file states them."""
 
 from __future__ import annotations
 
@@ -65,13 +65,14 @@ def forgiven_absolutely(text: str) -> ForgivenError | None:
     return ForgivenError(0.0, size) if _sizes(size) else None
 
 
-def forgiven_in_webwork(contexts: str, answer: str) -> ForgivenError | None:
-    """The tolerance of an answer: its own options, else those of `Context()->flags->set(…)`, else WeBWorK's own.
+def forgiven_in_webwork(flags: Mapping[str, str], answer: str) -> ForgivenError | None:
+    """The tolerance of an answer: its own options, else the `flags` of its context, else WeBWorK's own.
 
     `num_cmp` and its relatives state a relative tolerance in percent, MathObjects as a share. None where it is worked out.
     """
-    percent = 0.01 if OLDER.match(answer) else 1.0
-    flags: dict[str, str] = {} if OLDER.match(answer) else dict(WEBWORK_OPTION.findall(contexts))
+    older = OLDER.match(answer) is not None
+    percent = 0.01 if older else 1.0
+    flags = {} if older else dict(flags)
     for option, value in WEBWORK_OPTION.findall(answer):
         match option.lower():
             case "reltol":

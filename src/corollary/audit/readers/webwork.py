@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
-from corollary.audit.forgiven import forgiven_in_webwork
+from corollary.audit.forgiven import WEBWORK_OPTION, forgiven_in_webwork
 from corollary.audit.readers.straight_line import (
     MOST_ANSWERS,
     MOST_STATEMENTS,
@@ -311,16 +311,17 @@ def _program(source: WebworkSource) -> tuple[PerlProgram, dict[str, WebworkAnswe
         if name.removesuffix(OF_FUNCTION) != name and name.removesuffix(OF_FUNCTION) in function_words():
             raise NotRead(f"{name} is no letter here")
     program, read = PerlProgram(), dict[str, WebworkAnswer | NotRead]()
-    waiting = list(source.answers.items())[::-1]
+    waiting, flags = list(source.answers.items())[::-1], dict[str, str]()
     for place, statement in enumerate(source.statements):
         program.state(statement)
         while waiting and waiting[-1][1][0] == place:
             name, (_, answer) = waiting.pop()
             try:
-                contexts = " ".join(each for each in source.statements[:place] if "flags" in each)
-                read[name] = _answered(program, answer, forgiven_in_webwork(contexts, answer))
+                read[name] = _answered(program, answer, forgiven_in_webwork(flags, answer))
             except NotRead as error:
                 read[name] = error
+        if "flags" in statement:
+            flags |= dict(WEBWORK_OPTION.findall(statement))
     return program, read
 
 
