@@ -232,8 +232,7 @@ def _in_order(pieces: list[str], names: Sequence[str]) -> list[str] | ParseError
         if place is None:
             return pieces
         if (label := NAMED.match(piece)) and not is_name(label["name"]):
-            why = _("{side} stands on the left, not the answer alone", side=label["name"])
-            return ParseError("asked", why, None, _("write the components alone"))
+            return _no_name(label["name"])
         if place in placed:
             return refused(_("{component} is given twice", component=names[place]))
         placed[place] = (
@@ -269,11 +268,9 @@ def _directed(inside: str, unit: str, count: int) -> list[str] | ParseError:
     """`3 i - 4 j` cut at its directions, each with a unit of its own behind it or none; a direction left out is 0."""
     if count == 2 and (mixed := COMPLEX.fullmatch(inside)) is not None:
         why = _("a term without a direction stands beside one with a direction")
-        first, second = (
-            mixed["first"],
-            f"{mixed['sign']}{mixed['second']}".removeprefix("+").replace("--", ""),
-        )
-        return ambiguous(why, 0, f"({first}; {second.removeprefix('+')}) {unit}".strip())
+        negative = (mixed["sign"] == "-") != mixed["second"].startswith("-")
+        second = f"{'-' if negative else ''}{mixed['second'].lstrip('+-')}"
+        return ambiguous(why, 0, f"({mixed['first']}; {second}) {unit}".strip())
     components, own = dict[int, str](), list[str]()
     at = 0
     for found in ALONG.finditer(inside):
@@ -338,9 +335,13 @@ def unread_side(sides: Sequence[str], names: Sequence[str]) -> ParseError | None
     for side in sides:
         size = side.strip().startswith("|")
         if size or not (is_name(side) or is_talk(side) or place_named(f"{side} = ", names) is not None):
-            why = _("{side} stands on the left, not the answer alone", side=side.strip())
-            return ParseError("asked", why, None, _("write the components alone"))
+            return _no_name(side.strip())
     return None
+
+
+def _no_name(side: str) -> ParseError:
+    why = _("{side} stands on the left, not the answer alone", side=side)
+    return ParseError("asked", why, None, _("write the components alone"))
 
 
 def _labels(normalized: str) -> bool:

@@ -41,6 +41,7 @@ LATER = frozenset(
     {("0", "1"), ("1", "2"), ("0", "2"), ("", "1"), ("", "2"), ("i", "f"), ("initial", "final"), ("before", "after"), ("", "'"),
      ("vor", "nach"), ("vorher", "nachher"), ("før", "etter"), ("", "after"), ("", "final"), ("", "f"), ("0", "f"), ("0", "")}
 )  # fmt: skip
+EARLIER = frozenset({"", "0", "1", "i", "before", "initial"})
 DIFFERENCE = re.compile(rf"\s*(?P<one>{SYMBOL})\s*-\s*(?P<other>{SYMBOL})\s*")
 # What a letter usually stands for, where nobody says: only to tell `m v = 8.6 kg m/s` (its formula) from `F dt = 86 N`.
 CUSTOMARY: dict[str, str] = {
@@ -130,26 +131,23 @@ def gives_what_is_asked(side: str, expected: Dimension, question: Question | Non
 
 def _is_later(one: str, other: str) -> bool:
     """True if both are the same letter, the first later than the second: `p_1` and `p_0`, `K'` and `K`."""
-    first, second = (re.sub(r"[\s_{}()]", "", keyboard(each)) for each in (one, other))
+    first, second = _bare(one), _bare(other)
     return first[:1] == second[:1] and (second[1:], first[1:]) in LATER
+
+
+def _bare(name: str) -> str:
+    """A letter and its index as they are typed, without what joins them: `K1` of `K_{1}`."""
+    return re.sub(r"[\s_{}()]", "", keyboard(name))
 
 
 def _is_over(one: str, other: str, question: Question | None) -> bool:
     """True if a quotient of one kind of thing stands as the question asks for it: `ΔK/K`, `K1/K0`, `J_e/J_s`, `K_B/K_A`."""
-    first, second = (re.sub(r"[\s_{}()]", "", keyboard(each)) for each in (one, other))
+    first, second = _bare(one), _bare(other)
     if changed := re.match(r"Delta|delta|d(?=[A-Za-z])", first):
-        return first[changed.end() :][:1] == second[:1] and second[1:] in (
-            "",
-            "0",
-            "i",
-            "before",
-            "initial",
-            "1",
-        )
-    letters = set(question.symbol_names) if question else set[str]()
-    if first[:1] != second[:1] or first[:1] in letters:
-        return False
+        return first[changed.end() :][:1] == second[:1] and second[1:] in EARLIER
     if question is None or not question.ratio:
+        return False
+    if first[:1] != second[:1] or first[:1] in question.symbol_names:
         return False
     if (second[1:], first[1:]) in LATER - {("1", "2")}:
         return CHANGE.search(question.title) is None

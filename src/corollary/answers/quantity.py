@@ -13,6 +13,7 @@ from corollary.answers import trace
 from corollary.answers.arithmetic_answer import worked_out
 from corollary.answers.components import are_axes, in_one_line, pieces_of, unread_side, without_preamble
 from corollary.answers.left_side import (
+    Solved,
     gives_what_is_asked,
     is_another_given,
     named,
@@ -222,7 +223,9 @@ def _beside_sides(
         return ParseError("asked", why, None, _("write the answer without it"))
     if named(sides, question) or not unread:
         return ()
-    if wanted.is_angle and (turned := next((side for side in unread if _turns(side, question)), "")):
+    if wanted.is_angle and (
+        turned := next((side for side in unread if _turns(solvable(side, question))), "")
+    ):
         return _asked_about(turned, last, wanted, question)
     stand_for_it = [gives_what_is_asked(side, wanted.dimension, question) for side in unread]
     if any(stand_for_it):
@@ -230,9 +233,8 @@ def _beside_sides(
     return _asked_about(unread[0], last, wanted, question)
 
 
-def _turns(side: str, question: Question | None) -> bool:
+def _turns(found: Solved | None) -> bool:
     """True for the sine, cosine or tangent of one letter."""
-    found = solvable(side, question)
     return found is not None and found.function in ("sin", "cos", "tan")
 
 
@@ -240,7 +242,7 @@ def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | No
     """`2*theta = 180 deg`, solved for its letter and asked about; without a reading where it has no letter to solve for."""
     why = _("{side} stands on the left, not the answer alone", side=side)
     found = solvable(side, question)
-    turns = _turns(side, question)
+    turns = _turns(found)
     if (
         found is None
         or (found.function and last.unit is not None)

@@ -111,5 +111,5 @@ class Question:
             tuple(map(unit, data["column_units"])),
             data["positive"],
             data["reference"],
-            data.get("ratio", ""),
+            data["ratio"],
         )

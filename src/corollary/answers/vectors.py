@@ -10,7 +10,7 @@ from typing import cast
 
 from corollary.answers.answer import Answer, Blank, Formulas, Letter, Numbers, Unclear
 from corollary.answers.components import are_axes, labelled, place_named
-from corollary.answers.direction import axis_named, beside_axis, with_direction
+from corollary.answers.direction import LONGEST, axis_named, beside_axis, with_direction
 from corollary.answers.formula import as_typed
 from corollary.answers.numbers import PLACEHOLDERS, from_reading, scalar, turned_away
 from corollary.answers.quantity import Reading, components_in, read_quantities, read_quantity
@@ -25,7 +25,6 @@ _ = catalogue(__name__)
 
 Read = Numbers | Formulas | Blank | Unclear
 DECIMAL_COMMA = re.compile(r"[-+−–]?\s?\d+,\d+\s?[^\d\s,;][^\d,;]*")
-LONGEST = 200  # letters of a text that is tried as one number with a decimal comma
 
 
 def vector(value: Value, question: Question) -> Read:
