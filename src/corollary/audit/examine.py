@@ -155,7 +155,13 @@ def published_number(
     """The published number, or why it cannot be compared."""
     text = published.strip()
     unit = asked.unit or exercise.unit_of(asked.letter)
-    read = read_quantity(text.removeprefix(ABOUT).strip(), unit)
+    typed = text.removeprefix(ABOUT).strip()
+    read = read_quantity(typed, unit)
+    if isinstance(read, ParseError) and asked.unit is None and unit is not None:
+        # Laws do not say whether a rate counts turns or radians: its unit means what it means in `given:`.
+        as_given = read_quantity(typed, None)
+        if isinstance(as_given, Reading) and as_given.unit is not None and as_given.unit.measures(unit):
+            read = as_given
     if isinstance(read, ParseError):
         return f"the published answer {published!r} cannot be read: {sentence(read)}"
     if read.unit is None and asked.unit is None and read.fit == "unit missing":
