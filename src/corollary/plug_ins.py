@@ -1,4 +1,4 @@
-"""What other packages that are installed add: their entry points by group and name, and loading them."""
+"""Plug-ins of installed packages: their entry points by group and name, and loading them."""
 
 from __future__ import annotations
 

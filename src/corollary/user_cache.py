@@ -1,4 +1,4 @@
-"""What may be lost, in the user's cache folder: a text under a name, good for as long as what it was made from is the same."""
+"""The user's cache: a text under a name, good for as long as what it was made from is the same."""
 
 from __future__ import annotations
 

@@ -18,7 +18,8 @@ from ready.motion import followed
 
 from corollary.scenes.catalogue import SCENES, run
 
-FEW = {"long rows of springs, unequal": 3, "two spheres, damped": 8}  # draws, where the reference takes seconds
+# Draws, where the reference takes seconds.
+FEW = {"long rows of springs, unequal": 3, "two spheres, damped": 8}
 
 pytestmark = pytest.mark.fast  # references are followed in compiled steps
 

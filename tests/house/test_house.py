@@ -20,7 +20,8 @@ ORDER = (  # from the top; what stands in one line are siblings, which do not kn
     "laws problem sandbox scenes", "units polynomials", "formula figure", "plug_ins", "user_cache", "messages atomic guard parallel cluster version", "extras",
 )  # fmt: skip
 FLOORS = {room: len(ORDER) - floor for floor, rooms in enumerate(ORDER) for room in rooms.split()}
-LONGEST, MEDIAN = 600, 150
+LONGEST, MEDIAN = 600, 150  # lines
+LONGEST_OPENING = 25  # words
 FORBIDDEN = re.compile(r"manager|util(s|ities)?(_|$)|helpers?(_|$)|process(es|or|ors)?(_|$)", re.IGNORECASE)
 HEAVY = {"sympy", "numpy", "matplotlib", "nbgrader", "nbformat", "IPython", "flint", "yaml"}
 
@@ -138,10 +139,12 @@ def test_files_are_short(modules):
     assert statistics.median(module.lines for module in modules) <= MEDIAN
 
 
-def test_every_module_opens_with_a_sentence(modules):
+def test_every_module_opens_with_a_short_sentence_that_names_its_subject(modules):
     for module in modules:
         about = (ast.get_docstring(module.tree) or "").split("\n\n")[0]
         assert about.endswith((".", "?", "!")), f"{module.name} opens with {about!r}"
+        assert not re.match(r"(What|Whose|Whether|Where|How|Who|Which|When|Why)\b", about), module.name
+        assert len(re.sub(r"`[^`]*`", "code", about).split()) <= LONGEST_OPENING, f"{module.name}: {about!r}"
 
 
 def test_names_come_from_the_classroom(modules):

@@ -1,4 +1,4 @@
-"""What a student's answer is once it has been read: one of a few inert forms, or a sentence on why it could not be."""
+"""A student's answer after reading: one of a few inert forms, or a sentence on why it has none."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What every answer type can do: say what is expected, lay out the cell, read an answer, and say how it was read."""
+"""The interface of an answer type: what is expected, the blank cell, reading an answer, and the sentence on how it was read."""
 
 from __future__ import annotations
 

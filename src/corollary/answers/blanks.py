@@ -1,4 +1,4 @@
-"""What the blank cells of numbers and lists have in common: the names in a row, and how to write a number with its unit."""
+"""Blank cells of numbers and lists: the names in a row, and how to write a number with its unit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A vector in words, taken apart: `(3, 4) m/s`, `3 i + 4 j`, `p_y = 4; p_x = 3`, `5 m/s at 30° above the horizontal`."""
+"""Vectors in words, taken apart: `(3, 4) m/s`, `3 i + 4 j`, `p_y = 4; p_x = 3`, `5 m/s at 30° above the horizontal`."""
 
 from __future__ import annotations
 

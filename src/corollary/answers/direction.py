@@ -1,4 +1,4 @@
-"""What a text says of directions: axes of its own (`x to the left`) turn components, words behind a number (`to the left`) are its sign."""
+"""Directions in a text: axes of its own (`x to the left`) turn components, words behind a number (`to the left`) are its sign."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whether two formulas are the same: evaluated with certainty at random points, equal at all or different at one."""
+"""Equality of two formulas: evaluated with certainty at random points, equal at all or different at one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is expected of an answer: all that an answer type may judge it by; what takes a derivation is computed when asked for."""
+"""The expectation of an answer: all that an answer type may judge it by; derivations are computed when asked for."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a text says of gain and loss: `85.3 J lost`, `loss: 85.3 J`, `an increase of 2 J`. The word is the sign."""
+"""Gain and loss in words: `85.3 J lost`, `loss: 85.3 J`, `an increase of 2 J`. The word is the sign."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How an option is named to people: by its letter where the sheet shows letters, else by its word."""
+"""Names of options for people: the letter where the sheet shows letters, else the word."""
 
 from __future__ import annotations
 

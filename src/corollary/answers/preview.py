@@ -1,4 +1,4 @@
-"""How an answer is read, in words: what `check` says of it in the notebook, before it is marked."""
+"""The reading of an answer in words: the sentence of `check` in the notebook, before it is marked."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How one text is read and what would be decided, as plain data: the line a student, an author and a test can all ask for."""
+"""One text's reading and verdict as plain data: the line that a student, an author and a test can ask for."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands in words behind a quantity and is none of it: `86 N on average`, `20.8 m/s (speed of the bullet)`."""
+"""Words behind a quantity that are none of it: `86 N on average`, `20.8 m/s (speed of the bullet)`."""
 
 from __future__ import annotations
 

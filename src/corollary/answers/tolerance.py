@@ -1,4 +1,4 @@
-"""Whether numbers are near enough: by their distance, by the signs of their components, or as far as their figures tell."""
+"""Tolerance of numbers: by their distance, by the signs of their components, or as far as their figures tell."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is said of one answer: a closed family of seven verdicts.
+"""Verdicts on one answer: a closed family of seven.
 
 Of a table, `entries` are the verdicts on its entries, each worth the same.
 """

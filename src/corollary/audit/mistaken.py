@@ -1,4 +1,4 @@
-"""Which mistake gives a wrong published answer: those that the record lists first, then those that everybody makes."""
+"""Mistakes that give a wrong published answer: those that the record lists first, then those that everybody makes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is found of a published answer, with all that somebody needs to see it for themselves."""
+"""The outcome for a published answer, with all that somebody needs to see it for themselves."""
 
 from __future__ import annotations
 

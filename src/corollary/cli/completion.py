@@ -1,4 +1,4 @@
-"""What the shell completes a word to: codes, sets, students, scenes and targets, as they are where the command runs."""
+"""Completion of a word in the shell: codes, sets, students, scenes and targets, as they are where the command runs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is listed of each problem: its record and its row of the table."""
+"""Records and table rows of listed problems."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The sets of a bank and of the course around: by name, and those that somebody still works on, whose problems nobody is to practise on."""
+"""Sets of a bank and of the course around it, by name; those still being worked on, whose problems nobody practises on."""
 
 from __future__ import annotations
 

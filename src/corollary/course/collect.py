@@ -1,4 +1,4 @@
-"""What an LMS or a mailbox gives put where it is marked: every file taken, or named with the reason."""
+"""Collecting files from an LMS or a mailbox for marking: every file taken, or named with the reason."""
 
 from __future__ import annotations
 

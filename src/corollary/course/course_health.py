@@ -1,4 +1,4 @@
-"""How well a course's own files are: settings, key, roster, who may read them, and whether another run is at work."""
+"""Checks of a course's files: settings, key, roster, who may read them, and whether another run is at work."""
 
 from __future__ import annotations
 

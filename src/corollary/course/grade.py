@@ -1,4 +1,4 @@
-"""What was handed in, marked: run, judged, recorded, with feedback for each student; what is unchanged is left alone."""
+"""Marking submissions: run, judged, recorded, with feedback for each student; unchanged ones are left alone."""
 
 # pyright: reportUnknownVariableType=false
 

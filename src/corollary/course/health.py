@@ -1,4 +1,4 @@
-"""How well this machine is set up to run a course: programs, isolation, disk, time zone, encoding, settings, banks, plug-ins."""
+"""Checks of this machine's set-up: programs, isolation, disk, time zone, encoding, settings, banks, plug-ins."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What becomes of a student's latest notebook, against what lies in `submitted/` already."""
+"""A student's latest notebook against the one that lies in `submitted/` already."""
 
 from __future__ import annotations
 

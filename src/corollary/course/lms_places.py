@@ -1,4 +1,4 @@
-"""Where an LMS puts the files that are given back: by whose number, from a file of the LMS or from what was collected."""
+"""Places where an LMS puts returned files: by whose number, from a file of the LMS or from the collected ones."""
 
 from __future__ import annotations
 

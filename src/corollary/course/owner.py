@@ -1,4 +1,4 @@
-"""Whose each file is that came back: by the name that an LMS or a person gave it, else by what the notebook says."""
+"""The owner of each collected file: by the name that an LMS or a person gave it, else by the notebook itself."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What it would change to give everybody the sheet of today: for whom, and whose numbers could not stay."""
+"""Changes if everybody were given today's sheet: for whom, and whose numbers could not stay."""
 
 from __future__ import annotations
 

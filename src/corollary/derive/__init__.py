@@ -1,1 +1,1 @@
-"""What is true: derivations from laws."""
+"""Truth: derivations from laws."""

@@ -1,4 +1,4 @@
-"""What an author states of the forces on a body; generic as the other statements are."""
+"""Statements of an author on the forces on a body; generic as the other statements are."""
 
 from __future__ import annotations
 

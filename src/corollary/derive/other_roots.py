@@ -1,4 +1,4 @@
-"""What is on record about the root that is meant: the conditions on it, and the roots of the same laws that are not meant."""
+"""Records of the root that is meant: the conditions on it, and the roots of the same laws that are not meant."""
 
 from __future__ import annotations
 

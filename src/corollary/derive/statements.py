@@ -1,4 +1,4 @@
-"""What an author states: unknowns because of laws, and the other things a part may need.
+"""Statements of an author: unknowns because of laws, and the other things a part may need.
 
 A statement that is also solved is generic in what its algebra is written in: sympy's expressions and `Law` where it is stated,
 our own trees and `AppliedLaw` (derive/solution.py) where it is solved.

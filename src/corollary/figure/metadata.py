@@ -1,4 +1,4 @@
-"""What a photograph tells besides what is to be seen (where and when it was taken, with which camera, by whom), taken out.
+"""Metadata of a photograph (when and where it was taken, with which camera, by whom), taken out.
 
 JPEG: ITU-T T.81, annex B, and Exif 2.3, section 4.5; PNG: its third edition (W3C), section 11.
 """

@@ -1,4 +1,4 @@
-"""Where a text may stand: spots about a thing, the room a text takes there, and how much of that is covered."""
+"""Room for a text: spots about a thing, the room a text takes there, and how much of that is covered."""
 
 from __future__ import annotations
 

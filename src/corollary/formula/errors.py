@@ -1,4 +1,4 @@
-"""What goes wrong with a formula: a text that has no reading or several, and a formula that has no value."""
+"""Errors of formulas: a text that has no reading or several, and a formula that has no value."""
 
 from __future__ import annotations
 

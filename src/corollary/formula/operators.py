@@ -1,4 +1,4 @@
-"""What only laws may say: derivatives, integrals, the value of a function somewhere, products of vectors.
+"""Operators of laws alone: derivatives, integrals, the value of a function somewhere, products of vectors.
 
 Each is a `Call` of one of the names below. `read_operators` makes them of what an author types; nothing else reads them, so that
 no student's formula has one, and whoever evaluates formulas never meets one.

@@ -1,4 +1,4 @@
-"""What formulas need of python-flint (`arb`, `fmpq`, `ctx`), in plain Python: for where there is nothing else, as in a browser.
+"""Interval arithmetic in plain Python with python-flint's names (`arb`, `fmpq`, `ctx`), for a browser.
 
 A hundred times as slow, which one answer does not notice. Inverse functions are found by Newton's method, and the last correction is
 what they may be off.

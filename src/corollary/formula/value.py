@@ -1,4 +1,4 @@
-"""What a student's value looks like once it has left the student's process: closed, inert data."""
+"""Students' values outside the student's process: closed, inert data."""
 
 from __future__ import annotations
 

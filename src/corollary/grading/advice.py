@@ -1,4 +1,4 @@
-"""What a student may think about whose answer is wrong: laws, quantities and a check, from the derivation, and nothing of the answer."""
+"""Advice for a wrong answer: laws, quantities and a check, from the derivation, and nothing of the answer."""
 
 from __future__ import annotations
 

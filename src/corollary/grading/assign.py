@@ -1,4 +1,4 @@
-"""Which variant a student gets: the first draw that is free, has a key, and on which no mistake looks like the truth."""
+"""Assignment of a variant to a student: the first draw that is free, has a key, and hides no mistake."""
 
 from __future__ import annotations
 

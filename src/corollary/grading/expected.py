@@ -1,4 +1,4 @@
-"""What a key expects of each part, as the answer types judge by it: what takes a replay is left until it is asked for."""
+"""Expectations of a key for each part, as the answer types judge by them; replays are left until asked for."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the student reads of each verdict: a sentence or two that help, and never the value unless it is to be revealed."""
+"""Feedback sentences on each verdict: one or two that help, and never the value unless it is to be revealed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What follows from a student's own earlier answers: a part's value along every way that the laws allow."""
+"""Consequences of a student's own earlier answers: a part's value along every way that the laws allow."""
 
 from __future__ import annotations
 

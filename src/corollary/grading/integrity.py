@@ -1,4 +1,4 @@
-"""What became of a sheet on its way: another student's notebook, edited statements and checks; reported, never marked."""
+"""Integrity of a sheet: another student's notebook, edited statements and checks; reported, never marked."""
 
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 

@@ -1,4 +1,4 @@
-"""What verdicts follow from: a problem's file but for its points, a solution but for its rubrics."""
+"""Fingerprints of what verdicts follow from: a problem's file but for its points, a solution but for its rubrics."""
 
 from __future__ import annotations
 

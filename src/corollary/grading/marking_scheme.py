@@ -1,4 +1,4 @@
-"""What a person marks by, for one student's numbers: answers and how far off they may be, what is carried, what mistakes earn."""
+"""The marking scheme for one student's numbers: answers and tolerances, what is carried, what mistakes earn."""
 
 from __future__ import annotations
 

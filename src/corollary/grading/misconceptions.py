@@ -1,4 +1,4 @@
-"""What a known misconception, or a slip in what goes into the formulas, makes of a part."""
+"""Values of a part under a known misconception, or a slip in what goes into the formulas."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the answers of a variant neglect: the most that it can change each, against what an answer may be off."""
+"""Neglected effects in a variant's answers: the most that they can change each, against its tolerance."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the derivation knows of the numbers that a student drew: what may make one variant harder than another."""
+"""Features of the numbers that a student drew: what may make one variant harder than another."""
 
 from __future__ import annotations
 

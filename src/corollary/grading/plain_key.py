@@ -1,4 +1,4 @@
-"""A key as plain data and back: what it takes to judge by it where there is nothing but Python, and no scene can be run."""
+"""Keys as plain data and back: enough to judge by in plain Python, where no scene can be run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a part's judge may be handed beside values: what the student's functions returned, and the figures drawn."""
+"""Results of a student's program for a part's judge: values of its functions, and the figures drawn."""
 
 from __future__ import annotations
 

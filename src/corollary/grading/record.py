@@ -1,4 +1,4 @@
-"""What is recorded of every mark: how it came about, so that it can be looked up, compared and never silently changed."""
+"""Records of marks: how each came about, so that it can be looked up, compared and never silently changed."""
 
 from __future__ import annotations
 

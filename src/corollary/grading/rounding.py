@@ -1,4 +1,4 @@
-"""How far an honest answer may lie from the truth: the derivation replayed with steps and operations rounded to three figures."""
+"""Rounding of an honest answer: the derivation replayed with steps and operations rounded to three figures."""
 
 from __future__ import annotations
 

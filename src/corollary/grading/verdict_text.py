@@ -1,4 +1,4 @@
-"""What the student reads of each verdict, where it stands alone: in a notebook, on a page, in a browser without a key."""
+"""Verdicts as the student reads them alone: in a notebook, on a page, in a browser without a key."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What belongs to no chapter: equality, and the normal force on a level floor."""
+"""General laws that belong to no chapter: equality, and the normal force on a level floor."""
 
 from __future__ import annotations
 

@@ -1,5 +1,4 @@
-"""A whole run of one of nbgrader's commands, as the only writer in a course of ours; what persons gave is recorded before it and
-in every feedback page after it."""
+"""Whole runs of nbgrader's commands as the only writer in a course; marks that persons gave are recorded first."""
 
 from __future__ import annotations
 

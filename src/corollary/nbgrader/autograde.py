@@ -1,4 +1,4 @@
-"""What `nbgrader autograde` does in a course of ours: the sheet restored, the verdict from outside, the marks kept.
+"""`nbgrader autograde` in a course of ours: the sheet restored, the verdict from outside, the marks kept.
 
 Every class here stands in the place of one of nbgrader's, and leaves assignments that are none of ours to it.
 """

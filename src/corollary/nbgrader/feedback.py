@@ -1,4 +1,4 @@
-"""What `nbgrader generate_feedback` and formgrader's button make in a course of ours: the one feedback page a student has."""
+"""`nbgrader generate_feedback` and formgrader's button in a course of ours: the one feedback page of a student."""
 
 # pyright: reportUnknownMemberType=false
 

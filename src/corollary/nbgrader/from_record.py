@@ -1,5 +1,4 @@
-"""Marks given again from what is recorded, where nothing changed that running a notebook could tell: dates, the share that late
-work keeps, what a verdict earns, points, rubrics, and what students may see by now."""
+"""Marks given again from the record, where nothing changed that running a notebook could tell: dates, credit, points, rubrics."""
 
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 

@@ -1,4 +1,4 @@
-"""How nbgrader fares here: its version, the program it starts by name, the gradebook of a course, and the exchange."""
+"""Checks of nbgrader: its version, the program it starts by name, the gradebook of a course, and the exchange."""
 
 from __future__ import annotations
 

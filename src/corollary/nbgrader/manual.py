@@ -1,4 +1,4 @@
-"""What persons gave in formgrader or through nbgrader, read from the gradebook, and given back to one that has lost it.
+"""Marks that persons gave in formgrader or through nbgrader, read from the gradebook, and restored to one that lost them.
 
 The gradebook counts how many entries of our journal it has seen. One that has seen fewer than there are was restored from a
 backup, or is new: then the journal is right. Otherwise what the gradebook says is newer, be it a score or its withdrawal.

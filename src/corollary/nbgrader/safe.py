@@ -1,4 +1,4 @@
-"""What a student wrote, made harmless for a page: text stays readable, pictures stay, nothing runs and nothing is fetched."""
+"""Students' output made harmless for a page: text stays readable, pictures stay, nothing runs and nothing is fetched."""
 
 # pyright: reportUnknownArgumentType=false, reportUnknownVariableType=false
 

@@ -1,5 +1,4 @@
-"""Whether the gradebook is as it was when it was last read: then what persons gave is in the journal, and nbgrader, which takes
-seconds to import, is not needed to know it."""
+"""The state of a gradebook when it was last read; while it has not changed, nbgrader need not be imported."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `nbgrader zip_collect` does in a course of ours: no pattern has to be written for the names of an LMS's files."""
+"""`nbgrader zip_collect` in a course of ours: no pattern has to be written for the names of an LMS's files."""
 
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 

@@ -1,1 +1,1 @@
-"""What goes out, before and in a file format; it cannot see the truth."""
+"""Sheets that go out, before and in a file format; they cannot see the truth."""

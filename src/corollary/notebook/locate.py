@@ -1,4 +1,4 @@
-"""What a student wrote, found again in the notebook that came back, however it was moved about."""
+"""A student's answers, found again in the notebook that came back, however they were moved about."""
 
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 

@@ -1,4 +1,4 @@
-"""What a notebook that came back says of itself: which set and which student it was made for. Anybody can write that: it proves nothing."""
+"""The set and the student that a returned notebook names. Anybody can write that: it proves nothing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is known of the letters: between which bounds they lie, and which polynomials therefore are never zero."""
+"""Signs of polynomials: bounds of the letters, and which polynomials therefore are never zero."""
 
 from __future__ import annotations
 

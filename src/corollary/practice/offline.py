@@ -1,4 +1,4 @@
-"""Answers read and judged by a key that came as plain data, by the modules that mark: where there is nothing but Python, in a browser."""
+"""Answers read and judged by a key of plain data, by the modules that mark, in plain Python in a browser."""
 
 from __future__ import annotations
 

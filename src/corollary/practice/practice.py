@@ -1,4 +1,4 @@
-"""What somebody practises on: the problems of a bank without those left out, each as often as one likes."""
+"""Problems for practice: those of a bank without those left out, each as often as one likes."""
 
 from __future__ import annotations
 

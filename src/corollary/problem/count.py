@@ -1,4 +1,4 @@
-"""How many distinct variants a problem has, conditions taken into account."""
+"""Number of distinct variants of a problem, conditions taken into account."""
 
 # pyright: reportUnknownArgumentType=false
 

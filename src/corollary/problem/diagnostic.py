@@ -1,4 +1,4 @@
-"""What is wrong, in sentences with a remedy: with a line of an author's file, or with a thing that a course needs."""
+"""Complaints with a remedy: on a line of an author's file, or on a thing that a course needs."""
 
 from __future__ import annotations
 

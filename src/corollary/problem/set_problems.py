@@ -1,4 +1,4 @@
-"""What a set lists: problems of one bank or several, whole or in part, and pools of which each student gets a few."""
+"""Problems of a set: of one bank or several, whole or in part, and pools of which each student gets a few."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What a course remembers: who was given which numbers, what came back, and how it was marked."""
+"""The memory of a course: who was given which numbers, what came back, and how it was marked."""

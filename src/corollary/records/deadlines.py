@@ -1,4 +1,4 @@
-"""Who has until when: the set's date, extensions and excuses of single students, and what may be revealed by now."""
+"""Deadlines of each student: the set's date, extensions and excuses, and what may be revealed by now."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a problem set came from: its bank, and its file when it lies outside the bank.
+"""The origin of a problem set: its bank, and its file when it lies outside the bank.
 
 Recorded when a set is generated, so that it can be marked later by whoever has only the course.
 """

@@ -1,4 +1,4 @@
-"""What an instructor reads after grading: marks, how each part went, misconceptions met, and what waits for a person."""
+"""The report's data: marks, how each part went, misconceptions met, and what waits for a person."""
 
 from __future__ import annotations
 

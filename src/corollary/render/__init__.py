@@ -1,1 +1,1 @@
-"""What a person looks at: pages, paper, the terminal; one file a target."""
+"""Output for people: pages, paper, the terminal; one file a target."""

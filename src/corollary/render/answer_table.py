@@ -1,4 +1,4 @@
-"""What can be typed into an item's fields, and the marks that grading gives for it: held against what an LMS gives."""
+"""Texts for an item's fields with the marks that grading gives: held against what an LMS gives."""
 
 from __future__ import annotations
 

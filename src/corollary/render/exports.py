@@ -1,4 +1,4 @@
-"""What exercises, worksheets, problem sets and marks can be exported to: one file a target, ours and other packages'.
+"""Export targets of exercises, worksheets, problem sets and marks: one file a target, ours and other packages'.
 
 Another package adds a target by an entry point of the group `corollary.exports` whose name is the target's and which names
 its `Target`.

@@ -1,4 +1,4 @@
-"""What a feedback page says besides the marks: asked, drawn and solved, as pieces of HTML that are made once.
+"""Pieces of a feedback page besides the marks (asked, drawn, solved), as HTML that is made once.
 
 The page itself is put together from these and from the marks as they stand, so that it can be made again whenever a person
 gives some, without the bank, the notebook or the solutions.

@@ -1,4 +1,4 @@
-"""What a student gets back: points, and for every part what was asked, how the answer was read, and what is said of it."""
+"""The feedback page of a student: points, and for every part the question, the reading and the verdict."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `corollary verify` found, as a page: for each problem the derivation, how each obligation was settled, and the answers plotted."""
+"""Results of `corollary verify` as a page: derivations, how each obligation was settled, and the answers plotted."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What came back: notebooks of students, run in isolation, their answers brought out as inert data."""
+"""Submissions: notebooks of students, run in isolation, their answers brought out as inert data."""

@@ -1,4 +1,4 @@
-"""How well notebooks are isolated here: a level by what was found to hold, and a sentence for whoever grades."""
+"""The level of isolation on this machine, by what was found to hold, and a sentence for whoever grades."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What one notebook is to do: the cells to run, the answers to bring back, the functions to call, and how much it may use."""
+"""The job of one notebook: cells to run, answers to bring back, functions to call, and limits of use."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a zygote and its workers may send: length-prefixed MessagePack frames of closed shapes, each short, all together bounded."""
+"""Messages of a zygote and its workers: length-prefixed MessagePack frames of closed shapes, each short, all together bounded."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Why no answer can be read from a value: the worker sends a word for it, and here is the sentence."""
+"""Reasons why no answer can be read from a value: the worker sends a word, and here is the sentence."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a worker sent, as the result of its notebook; what is missing from it gets a reason."""
+"""A worker's report as the result of its notebook; what is missing from it gets a reason."""
 
 from __future__ import annotations
 

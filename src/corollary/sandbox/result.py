@@ -1,4 +1,4 @@
-"""What one notebook gave: its cells, its answers as inert data, its figures as lines and labels, and what went wrong."""
+"""The result of one notebook: cells, answers as inert data, figures as lines and labels, and errors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Scenes of an author's own that a ready model answers without following them in time: bodies in a row, two spheres, a well, a fixed centre."""
+"""Composed scenes that a ready model answers without time steps: rows of bodies, two spheres, a well, a fixed centre."""
 
 from __future__ import annotations
 

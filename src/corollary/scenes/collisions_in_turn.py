@@ -1,4 +1,4 @@
-"""Collisions found a second way: springs followed in steps, too, a chain link by link, a rocket puff by puff; and how that is handed back."""
+"""Second ways for collisions: springs in steps, a chain link by link, a rocket puff by puff."""
 
 from __future__ import annotations
 

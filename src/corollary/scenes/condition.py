@@ -1,4 +1,4 @@
-"""How strongly a ready scene's values hang on its settings: runs with each of them moved a little say the condition, and what is near an edge."""
+"""Condition of a ready scene's values: runs with each setting moved a little, and what is near an edge."""
 
 from __future__ import annotations
 

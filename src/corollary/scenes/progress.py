@@ -1,4 +1,4 @@
-"""How far a scene has got, told while it is played to whoever listens; who waits at a terminal sees a bar.
+"""Progress of a scene while it is played, told to whoever listens; a terminal shows a bar.
 
 What is played has many rooms below the command that waits for it; a listener is set for all of them at once.
 """

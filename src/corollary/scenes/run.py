@@ -1,4 +1,4 @@
-"""What can be observed of a scene, and what became of it: the values, how sure they are, which model found them, at what cost."""
+"""Observables of a scene and the outcome of a run: values, errors, the model that found them, and its cost."""
 
 from __future__ import annotations
 

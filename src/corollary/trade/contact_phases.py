@@ -1,4 +1,4 @@
-"""One contact in equal steps of an angle, so that the order of a method can be read off: w = rho sin, its rate rho cos.
+"""One contact in equal steps of an angle (`w = rho sin`, its rate `rho cos`), so that the order of a method shows.
 
 The contact runs from phase 0 to pi whatever the damping, as long as it ends; the force is smooth there at both ends.
 """

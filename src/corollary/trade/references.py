@@ -1,4 +1,4 @@
-"""What each scene of the trade truly comes to, by methods that share nothing with those that are judged.
+"""References for each scene of the trade, by methods that share nothing with those that are judged.
 
 The cradles: extrapolated midpoint steps in 34 digits; the damped contact: Taylor series of order 50 in 50 digits; the rest:
 energy integrals by tanh-sinh quadrature in 50 digits. The tests hold the programs that found them.

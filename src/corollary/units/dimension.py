@@ -1,4 +1,4 @@
-"""What a quantity measures, in the seven base units of the SI."""
+"""Dimensions of quantities, in the seven base units of the SI."""
 
 from __future__ import annotations
 

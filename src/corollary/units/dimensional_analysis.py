@@ -1,4 +1,4 @@
-"""What a formula measures, found from what its letters measure: metres are never added to seconds."""
+"""The dimension of a formula, from those of its letters: metres are never added to seconds."""
 
 from __future__ import annotations
 

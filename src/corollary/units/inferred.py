@@ -1,4 +1,4 @@
-"""What letters measure that nobody says, inferred from equations in which both sides, and all terms, measure the same."""
+"""Dimensions of letters, inferred from equations in which both sides, and all terms, measure the same."""
 
 from __future__ import annotations
 

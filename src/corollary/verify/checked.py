@@ -1,4 +1,4 @@
-"""What verification found: counts of what was checked, complaints and notes with file and line."""
+"""Findings of verification: counts of what was checked, complaints and notes with file and line."""
 
 from __future__ import annotations
 

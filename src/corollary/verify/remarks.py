@@ -1,4 +1,4 @@
-"""What an author may want to know of a problem that holds: data nobody needs, and mistakes that are too few or tell nothing apart."""
+"""Remarks on a problem that holds: data nobody needs, and mistakes that are too few or tell nothing apart."""
 
 from __future__ import annotations
 

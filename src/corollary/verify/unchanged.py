@@ -1,4 +1,4 @@
-"""What was verified before and has not changed since: kept in the user's cache folder, so that only the rest is verified again."""
+"""Earlier verifications in the user's cache folder, so that only what changed since is verified again."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How one of several options is asked for and read, by its letter."""
+"""Choices: one of several options, asked for and read by its letter."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a function is asked for: its blank, and whether what stands there can be called as the question says."""
+"""Functions written by the student: the blank, and whether the function can be called as the question says."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How many of something, asked for and read: a whole number, with the noun or without, or the formula for it."""
+"""Counts, asked for and read: a whole number, with the noun or without, or the formula for it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How numbers of the student's own, which must have a property, are asked for and read."""
+"""Examples: numbers of the student's own, which must have a property, asked for and read."""
 
 from __future__ import annotations
 

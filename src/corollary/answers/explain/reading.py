@@ -1,4 +1,4 @@
-"""How an explanation is asked for and read: words, for a person to mark."""
+"""Explanations, asked for and read: words, for a person to mark."""
 
 from __future__ import annotations
 

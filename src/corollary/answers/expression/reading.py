@@ -1,4 +1,4 @@
-"""How a formula in the symbols of the problem is asked for and read."""
+"""Formulas in the symbols of the problem, asked for and read."""
 
 from __future__ import annotations
 

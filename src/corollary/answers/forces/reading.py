@@ -1,4 +1,4 @@
-"""How the forces on a body are asked for and read: a name and a direction each, `weight: down`, as a list, a dictionary or one text."""
+"""Forces on a body, asked for and read: a name and a direction each, as a list, a dictionary or one text (`weight: down`)."""
 
 from __future__ import annotations
 

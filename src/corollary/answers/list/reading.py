@@ -1,4 +1,4 @@
-"""How several quantities in any order are asked for and read: a list, or one text such as `2 s and 5 s`; how many is part of the answer."""
+"""Several quantities in any order, asked for and read: a list, or a text such as `2 s and 5 s`; their number counts."""
 
 from __future__ import annotations
 

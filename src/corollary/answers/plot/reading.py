@@ -1,4 +1,4 @@
-"""How a figure is asked for: a cell that draws it."""
+"""Figures, asked for: a cell that draws one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which line of a derivation is a law, which follows from the lines above it, and which stands on nothing."""
+"""The argument of a derivation: which line is a law, which follows from lines above it, and which stands on nothing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a chain of equations is asked for and read, one a line."""
+"""Derivations, asked for and read: a chain of equations, one a line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whether the lines of a derivation hold, tried at values at which every law holds."""
+"""Truth of the lines of a derivation, tried at values at which every law holds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a table or a matrix is asked for and read: a list of rows, a dictionary, an array, or one text such as `1, 2; 3, 4`."""
+"""Tables and matrices, asked for and read: a list of rows, a dictionary, an array, or a text such as `1, 2; 3, 4`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How one quantity is asked for and read: a number with a unit, or the formula for it."""
+"""Quantities, asked for and read: a number with a unit, or the formula for it."""
 
 from __future__ import annotations
 

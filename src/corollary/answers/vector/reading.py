@@ -1,4 +1,4 @@
-"""How a quantity with components is asked for and read: a list of numbers or formulas, or a text such as `(3, 4) m/s`."""
+"""Vectors, asked for and read: a list of numbers or formulas, or a text such as `(3, 4) m/s`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a word from a list is asked for and read: in any of its spellings; what is nearly one is told which, and never guessed."""
+"""Words from a list, asked for and read in any spelling; a near miss is named the word, and never guessed."""
 
 from __future__ import annotations
 

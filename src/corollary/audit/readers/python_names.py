@@ -1,4 +1,4 @@
-"""What the names of a Python file mean: by its imports, its constants, and its functions of one expression; nothing is imported or run."""
+"""Meaning of names in a Python file: imports, constants, functions of one expression; nothing is imported or run."""
 
 from __future__ import annotations
 

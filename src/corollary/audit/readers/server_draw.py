@@ -1,4 +1,4 @@
-"""What `generate` of a `server.py` draws and assigns at some seeds: run in isolation, and brought back as inert data."""
+"""Draws of `generate` of a `server.py` at some seeds: run in isolation, and brought back as inert data."""
 
 from __future__ import annotations
 

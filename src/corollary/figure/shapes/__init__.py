@@ -1,4 +1,4 @@
-"""What figures are made of, one file a topic."""
+"""Shapes of figures, one file a topic."""
 
 from corollary.figure.shapes import bodies, circuits, lines, optics, pictograms, surfaces
 

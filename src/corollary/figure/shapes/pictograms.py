@@ -1,4 +1,4 @@
-"""Cars, people and other things of everyday life, each an outline in a box from (−1, 0) to (1, its height), at a size on paper."""
+"""Cars, people and other everyday things, each an outline in a box from (−1, 0) to (1, its height), at a size on paper."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What bodies stand on, hang from and slide down: floor, ceiling, wall, incline."""
+"""Surfaces that bodies stand on, hang from and slide down: floor, ceiling, wall, incline."""
 
 from __future__ import annotations
 

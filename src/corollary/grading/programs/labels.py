@@ -1,4 +1,4 @@
-"""Labels of axes read: the unit that a label names, however it is set (`F [kN]`, `F / kN`, `$p_x$ in kg m/s`), and its letters."""
+"""Labels of axes: the unit that a label names, however it is set (`F [kN]`, `F / kN`, `$p_x$ in kg m/s`), and its letters."""
 
 from __future__ import annotations
 

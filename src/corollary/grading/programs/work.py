@@ -1,4 +1,4 @@
-"""How much is compared for the figures of one part: beyond a limit nothing is concluded, and a person looks."""
+"""Limits of comparing the figures of one part: beyond them nothing is concluded, and a person looks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Questions in QTI 2.1, as TAO and others import them: a zip with an item for each variant, and a test that draws one of each problem.
+"""Questions in QTI 2.1, for TAO and others: a zip with an item a variant, and a test that draws one a problem.
 
 Ranges are written as `and(gte, lte)`, not with `equal` and its tolerance, which players read differently.
 """

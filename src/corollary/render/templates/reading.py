@@ -1,4 +1,4 @@
-"""What a browser runs to read and judge: it takes the modules that it is given, and answers two questions as JSON."""
+"""Reading and judging in the browser: takes the modules that it is given, and answers two questions as JSON."""
 
 import base64
 import json

@@ -1,1 +1,1 @@
-"""What runs beside the student's code: these files reach that process as text and see nothing of the package."""
+"""Code beside the student's: these files reach that process as text and see nothing of the package."""

@@ -1,4 +1,4 @@
-"""What a cell shows, in its order, as nbformat 4 outputs, and no more of it than allowed."""
+"""Outputs of a cell in their order, as nbformat 4 has them, and no more of them than allowed."""
 
 import base64
 

@@ -1,4 +1,4 @@
-"""What every worker gives up before it reads a line of the student's: descriptors, privileges, memory, time."""
+"""Giving up descriptors, privileges, memory and time before a worker reads a line of the student's."""
 
 import os
 import resource

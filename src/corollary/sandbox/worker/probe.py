@@ -1,4 +1,4 @@
-"""What a confined worker cannot do, found by trying it in one; each trial is harmless where it succeeds."""
+"""Probes of a confined worker: each forbidden thing is tried in one, and is harmless where it succeeds."""
 
 import errno
 import os

@@ -1,4 +1,4 @@
-"""How long a collision in a row will take to follow, from a rough run: velocity Verlet, whose steps cost a tenth of the kernel's."""
+"""Expected time to follow a collision in a row, from a rough run by velocity Verlet at a tenth of the kernel's cost."""
 
 from __future__ import annotations
 

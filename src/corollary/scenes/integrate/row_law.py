@@ -1,4 +1,4 @@
-"""The law of motion of a row of bodies, in time or in the variable of a contact, one step of it, and what is largest within; a kernel.
+"""The law of motion of a row of bodies, in time or in a contact's variable, and one step of it; a kernel.
 
 The state of n bodies is v0 d0 v1 d1 … v(n-1): velocities with the overlaps of neighbours between them, so that a part of the row is a
 slice. Gaps and not positions are the unknowns: nothing cancels however hard the bodies are. A contact force k overlap^(3/2) has no second

@@ -1,4 +1,4 @@
-"""What damping brings to rest in a row: bodies that touch for ever, and how long a collision lasts at least; a kernel."""
+"""Rest by damping in a row: bodies that touch for ever, and the least duration of a collision; a kernel."""
 
 from __future__ import annotations
 

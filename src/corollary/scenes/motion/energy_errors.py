@@ -1,4 +1,4 @@
-"""How far energies are off: as far as the places and velocities they are made of, and by what a run has lost or a potential not told."""
+"""Errors of energies: from places and velocities, from losses of a run, and from a potential that is not given."""
 
 from __future__ import annotations
 

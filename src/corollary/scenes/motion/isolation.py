@@ -1,4 +1,4 @@
-"""Where a smooth function first falls through zero within a step: isolated on its Chebyshev series, so that no pair of roots is missed.
+"""Isolation of the first fall through zero of a smooth function in a step, on its Chebyshev series; no pair is missed.
 
 The function is sampled at 17 Chebyshev points, which is exact for what is of degree 16 in a step's own polynomial (the square of a
 distance has degree 14 in DOP853's dense output). A series whose constant exceeds the sum of its other coefficients has no root, one

@@ -1,4 +1,4 @@
-"""Where the distance of the first body from the origin turns."""
+"""Turning points of the first body's distance from the origin."""
 
 # pyright: reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 

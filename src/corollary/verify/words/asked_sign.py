@@ -1,4 +1,4 @@
-"""What the words of a part say of the sign of its answer: a magnitude, a distance, a loss, or a value with its sign."""
+"""The sign that the words of a part ask for: a magnitude, a distance, a loss, or a value with its sign."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What of a problem no check reads: pictures, drawings, rubrics, languages without a list of words."""
+"""Parts of a problem that no check reads: pictures, drawings, rubrics, languages without a list of words."""
 
 from __future__ import annotations
 
