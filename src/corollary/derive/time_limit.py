@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import os
 import signal
-import sys
 import threading
 import time
 from collections.abc import Callable, Generator
@@ -69,7 +68,7 @@ def time_limit(processor_s: float, wall_s: float) -> Generator[None]:
         return time.process_time() - began > processor_s or time.monotonic() - clock > wall_s
 
     sentence = f"it ran longer than {processor_s:g} s of the processor, or {wall_s:g} s on the wall"
-    with (_by_signal if _is_main_thread() and sys.platform != "win32" else _by_thread)(over, sentence):
+    with (_by_signal if _is_main_thread() and hasattr(signal, "SIGALRM") else _by_thread)(over, sentence):
         yield
 
 
