@@ -1,4 +1,4 @@
-"""A formula with two readings is the one that measures what is asked for."""
+"""A formula with two readings is the one that stops early, where that alone measures what is asked for; else it is asked about."""
 
 from __future__ import annotations
 
@@ -29,7 +29,6 @@ QUESTION = question_of(PROBLEM, PROBLEM.part("a"))
     ("typed", "its_unit", "meant"),
     [
         ("1/m v", "m/(s*kg)", "1/m*v"),
-        ("1/m v", "s/(kg*m)", "1/(m*v)"),
         ("v cos 2/m", "m/(s*kg)", "v*cos(2)/m"),
     ],
 )
@@ -38,6 +37,20 @@ def test_the_dimension_decides(typed, its_unit, meant):
     found = fitting(typed, replace(QUESTION, unit=unit(its_unit)))
     assert isinstance(found, Expr)
     assert text(found) in (meant, f"({meant.partition('*')[0]})*{meant.partition('*')[2]}")
+
+
+@pytest.mark.parametrize(
+    ("typed", "its_unit", "meant"),
+    [
+        ("1/m v", "s/(kg*m)", "1/(m*v)"), ("v/2m", "m/(s*kg)", "v/(2*m)"), ("v/2m", "kg*m/s", "(v/2)*m"), ("√2v^2", "m/s", "sqrt(2*v^2)"),
+        ("sqrt2v^2", "m/s", "sqrt(2*v^2)"), ("v ln m/m", "m/s", "v*ln(m/m)"), ("v*e^-m/m", "m/s", "v*exp((-m)/m)"), ("m v/2m", "m/s", "m*v/(2*m)"),
+    ],
+)  # fmt: skip
+def test_what_only_a_bracket_would_settle_is_asked_about_with_the_readings_that_fit(typed, its_unit, meant):
+    found = fitting(typed, replace(QUESTION, unit=unit(its_unit)))
+    assert isinstance(found, Unclear)
+    assert [text(each.trees[0]) for each in found.readings if isinstance(each, Formulas)] == [meant]
+    assert not found.benefit
 
 
 def test_none_that_fits_is_none():

@@ -58,6 +58,25 @@ def test_words_that_may_be_a_sign_are_read_by_a_person(key, code: str, part: str
     assert isinstance(judge(key(code), {part: from_json(answer)})[part][0][0], Unmarked)
 
 
+@pytest.mark.parametrize(
+    ("code", "part", "answer"),
+    [
+        ("P12.14", "h2", "x=v0*sqrt(m/2k)"),
+        ("P12.14", "h2", "v0 √(m/2k)"),
+        ("P12.15", "e", "d*√3k/m"),
+        ("T12.3", "a", "√2gh"),
+        ("T12.3", "a", "sqrt2gh"),
+        ("X12.1", "a", "4/2v"),
+        ("E12.7.2", "a", "vrel ln m0/m1"),
+        ("E12.7.2", "b", "m0 e^-dv/vrel"),
+    ],
+)
+def test_a_formula_whose_end_only_a_bracket_would_settle_is_read_by_a_person(
+    key, code: str, part: str, answer: str
+):
+    assert isinstance(judge(key(code), {part: from_json(answer)})[part][0][0], Unmarked)
+
+
 def test_there_are_many_of_both():
     counted = {
         name: sum(len(question.values[0]["answers"]) for question in groups(name))

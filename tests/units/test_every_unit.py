@@ -43,6 +43,7 @@ IN_PINT = {
     "in": "inch",
     "M": "molar",
     "rem": "rem",
+    "PS": "metric_horsepower",
 }
 OF_PINT = {  # pint has no torr, 760 of which are an atmosphere, and the parsec of before 2015
     "torr": (101325 / 760, "pascal"),
@@ -76,8 +77,8 @@ def test_a_row_is_what_pint_has(name):
     }
 
 
-TYPED_FOR_ANOTHER = {"Tm", "Grad", "dag"}
-"""T m, degrees in German, a day in Norwegian."""
+TYPED_FOR_ANOTHER = {"Tm", "Grad", "dag", "PS"}
+"""T m, degrees in German, a day in Norwegian, a metric horsepower."""
 
 
 @pytest.mark.parametrize("prefix", [each for each in PREFIXES if each])

@@ -8,9 +8,11 @@ from itertools import pairwise
 
 from corollary.answers.name import is_name, is_talk
 from corollary.answers.preamble import Bare, answer_in
+from corollary.answers.question import Question
 from corollary.formula.errors import ParseError, ambiguous, refused
+from corollary.formula.numerals import scan_number
 from corollary.messages import catalogue
-from corollary.units.unit import read_unit
+from corollary.units.unit import Unit, read_unit, show
 
 _ = catalogue(__name__)
 
@@ -30,10 +32,12 @@ DIRECTIONS = {
 }
 LETTERS = r"k̂|x̂|ŷ|ẑ|[îĵijk]|e_?[xyz](?![A-Za-z])"
 ALONG = re.compile(rf"(?P<letter>{LETTERS})(?=\s*(?:[+\-)]|$))|(?<![A-Za-z(])(?P<last>{LETTERS})\s+(?=\D)")
-COMPLEX = re.compile(  # `3 + (-4) j`
-    r"\s*(?P<first>[-+]?[0-9.,]+)\s*(?P<sign>[-+])\s*\(?\s*(?P<second>[-+]?[0-9.,]+)\s*\)?\s*\*?\s*(?:j|ĵ)\s*"
+BETWEEN_TERMS = re.compile(r"(?<=[\w.)°%²³])(?<![0-9][eE])\s*(?=[+-])")
+TERM = re.compile(
+    r"\s*(?P<sign>[+-]?)\s*\(?\s*(?P<own>[+-]?)\s*(?P<number>[0-9.,]+(?:[eE][+-]?[0-9]+)?)\s*\)?\s*\*?\s*(?P<unit>.*)"
 )
 BRACKETS = {"(": ")", "[": "]", "{": "}", "<": ">", "⟨": "⟩"}
+APART = 20  # how much nearer the last of several numbers must come to the others by a unit of its own
 MARKS = (
     r"\s*[;|]\s*",
     r",\s+(?:(?:and|und|og|et)\s+)?|\s+(?:and|und|og|et)\s+|\s*&\s*",
@@ -66,26 +70,32 @@ def in_one_line(text: str, count: int) -> str:
     return "; ".join(lines) if len(lines) == count > 1 and whole else text
 
 
-def pieces_of(normalized: str, count: int, names: Sequence[str] = ()) -> list[str] | ParseError:
+def pieces_of(
+    normalized: str,
+    count: int,
+    names: Sequence[str] = (),
+    expected: Unit | None = None,
+    question: Question | None = None,
+) -> list[str] | ParseError:
     """One text for each component, in the order of `names` where the text names them; a unit behind all of them goes to each."""
     if names and (left := LEFT.match(normalized)):  # `(p_y, p_x) = (4, 3)`
         places = [place_named(f"{name} = ", names) for name in re.split(r"[,;]", left[1])]
-        found = pieces_of(normalized[left.end() :], count)
+        found = pieces_of(normalized[left.end() :], count, (), expected)
         if isinstance(found, ParseError) or sorted(map(str, places)) != sorted(map(str, range(count))):
             return found
         return [found[places.index(place)] for place in range(count)]
     if count > 1 and (alone := _each_in_brackets(normalized)) is not None and len(alone) == count:
-        return _in_order([labelled(piece, names) for piece in alone], names)
+        return _in_order([labelled(piece, names) for piece in alone], names, question)
     inside, unit, factor = _unwrapped(TRANSPOSED.sub("", normalized))
     along = [found for found in ALONG.finditer(inside) if _axis(found) < count]
     if along and (not names or are_axes(names)):  # in a plane k is no direction, but may be a letter
         return _directed(inside, unit, count)
     if count == 2 and inside != normalized.strip() and (slashed := _slashed(inside)) is not None:
         return slashed
-    found = _listed(_parted(inside, names), unit, count)
+    found = _listed(_parted(inside, names), unit, count, expected)
     if isinstance(found, ParseError):
         return found
-    found = _in_order([labelled(piece, names) for piece in found], names)
+    found = _in_order([labelled(piece, names) for piece in found], names, question)
     return (
         found if isinstance(found, ParseError) or not factor else [f"{factor}*({piece})" for piece in found]
     )
@@ -192,7 +202,7 @@ def _split(text: str, mark: str) -> list[str]:
     return [*pieces, text[start:]]
 
 
-def _listed(inside: str, unit: str, count: int) -> list[str] | ParseError:
+def _listed(inside: str, unit: str, count: int, expected: Unit | None) -> list[str] | ParseError:
     tries = MARKS[:1] if re.search(r"[;|]", _masked(inside)) else MARKS[1:]
     splits = [_split(inside, mark) for mark in tries]
     pieces = next((pieces for pieces in splits if len(pieces) == count), None)
@@ -210,7 +220,32 @@ def _listed(inside: str, unit: str, count: int) -> list[str] | ParseError:
             pieces[-1].strip().removesuffix(behind[1]),
             behind[1],
         )  # `3; 4 m/s`: one unit for all
+        if (doubt := _of_the_last_alone(pieces, unit, expected)) is not None:
+            return doubt
     return [f"{piece.strip()} {unit}".strip() for piece in pieces]
+
+
+def _of_the_last_alone(pieces: Sequence[str], unit: str, expected: Unit | None) -> ParseError | None:
+    """What is asked about `0.894, 1306 mm` where metres are asked for: only with a unit of its own the last is of the others' size."""
+    found = read_unit(unit)
+    if expected is None or isinstance(found, ParseError) or found.dimension != expected.dimension:
+        return None
+    read = [scan_number(piece) for piece in pieces]
+    sizes = [abs(float(each[0].value)) for each in read if not isinstance(each, ParseError) and each[0].value]
+    if len(sizes) < 2 or len(sizes) < len(pieces) or found.si == expected.si:
+        return None
+    *others, last = sizes
+    together = max(sizes) / min(sizes)
+    last *= found.si / expected.si
+    if max(*others, last) / min(*others, last) * APART > together:
+        return None
+    bare, asked = [piece.strip() for piece in pieces], show(expected)
+    choices = tuple(
+        f"({'; '.join(f'{piece} {each}' for piece in bare[:-1])}; {bare[-1]} {unit})"
+        for each in (unit, asked)
+    )
+    why = _("{unit} stands behind the last number only", unit=unit)
+    return ParseError("asked", why, None, _("write {choices}", choices=_(" or ").join(choices)), choices)
 
 
 def _is_unit(text: str) -> bool:
@@ -219,7 +254,7 @@ def _is_unit(text: str) -> bool:
     return not isinstance(found, ParseError) or found.status == "asked"
 
 
-def _in_order(pieces: list[str], names: Sequence[str]) -> list[str] | ParseError:
+def _in_order(pieces: list[str], names: Sequence[str], question: Question | None) -> list[str] | ParseError:
     """`p_y = 4, p_x = 3` in the order asked for; pieces that do not all name a component stay as they are."""
     placed: dict[int, str] = {}
     labels = [label["name"] for piece in pieces if (label := NAMED.match(piece))]
@@ -231,7 +266,7 @@ def _in_order(pieces: list[str], names: Sequence[str]) -> list[str] | ParseError
             return ParseError("asked", why, None, _("write them as (3; 4) m/s"))
         if place is None:
             return pieces
-        if (label := NAMED.match(piece)) and not is_name(label["name"]):
+        if (label := NAMED.match(piece)) and not is_name(label["name"], question):
             return _no_name(label["name"])
         if place in placed:
             return refused(_("{component} is given twice", component=names[place]))
@@ -266,11 +301,8 @@ def _axis(found: re.Match[str]) -> int:
 
 def _directed(inside: str, unit: str, count: int) -> list[str] | ParseError:
     """`3 i - 4 j` cut at its directions, each with a unit of its own behind it or none; a direction left out is 0."""
-    if count == 2 and (mixed := COMPLEX.fullmatch(inside)) is not None:
-        why = _("a term without a direction stands beside one with a direction")
-        negative = (mixed["sign"] == "-") != mixed["second"].startswith("-")
-        second = f"{'-' if negative else ''}{mixed['second'].lstrip('+-')}"
-        return ambiguous(why, 0, f"({mixed['first']}; {second}) {unit}".strip())
+    if count == 2 and (doubt := _half_directed(inside, unit)) is not None:
+        return doubt
     components, own = dict[int, str](), list[str]()
     at = 0
     for found in ALONG.finditer(inside):
@@ -299,6 +331,36 @@ def _directed(inside: str, unit: str, count: int) -> list[str] | ParseError:
     units = [re.sub(r"^[+-]?[0-9.,e ]*", "", piece) for piece in components.values()] if not unit else [unit]
     missing = f"0 {units[0]}".strip()
     return [f"{components[axis]} {unit}".strip() if axis in components else missing for axis in range(count)]
+
+
+def _half_directed(inside: str, unit: str) -> ParseError | None:
+    """What is asked about `3 + (-4) j`, `3 m/s - 4 j`, `-4 j + 3`: one of two terms has a direction."""
+    places = list(BETWEEN_TERMS.finditer(_masked(inside)))
+    if len(places) != 1:
+        return None
+    parts = inside[: places[0].start()], inside[places[0].end() :]
+    along = [ALONG.search(part) for part in parts]
+    terms = [
+        TERM.fullmatch(part[: way.start()] + part[way.end() :] if way else part)
+        for part, way in zip(parts, along, strict=True)
+    ]
+    (way,) = [found for found in along if found] if sum(map(bool, along)) == 1 else [None]
+    if way is None or _axis(way) > 1 or not all(terms):
+        return None
+    written = [
+        f"{'-' if (term['sign'] == '-') != (term['own'] == '-') else ''}{term['number']} {term['unit']}".strip()
+        for term in terms
+        if term
+    ]
+    shared = unit or next((term["unit"] for term in terms if term and term["unit"].strip()), "")
+    whole = [
+        each if term and term["unit"].strip() else f"{each} {shared}".strip()
+        for each, term in zip(written, terms, strict=True)
+    ]
+    directed = 0 if along[0] else 1
+    choice = f"({'; '.join(whole if directed == _axis(way) else whole[::-1])})"
+    why = _("a term without a direction stands beside one with a direction")
+    return ParseError("asked", why, None, _("write {choices}", choices=choice), (choice,))
 
 
 def _after_unit(text: str) -> tuple[str, str]:
@@ -330,11 +392,14 @@ def without_preamble(normalized: str) -> Bare:
     )
 
 
-def unread_side(sides: Sequence[str], names: Sequence[str]) -> ParseError | None:
+def unread_side(
+    sides: Sequence[str], names: Sequence[str], question: Question | None = None
+) -> ParseError | None:
     """What is asked about a left side of a vector that is no name of it: `-p = (3; 4)`, `|p| = (3; 4)`."""
     for side in sides:
         size = side.strip().startswith("|")
-        if size or not (is_name(side) or is_talk(side) or place_named(f"{side} = ", names) is not None):
+        named = is_name(side, question) or is_talk(side, question)
+        if size or not (named or place_named(f"{side} = ", names) is not None):
             return _no_name(side.strip())
     return None
 

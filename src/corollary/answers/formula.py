@@ -13,6 +13,7 @@ from corollary.answers.left_side import (
     is_another_given,
     named,
     solvable,
+    turns,
     unknown_letter,
 )
 from corollary.answers.motion_words import motion_in_number
@@ -46,6 +47,7 @@ SEVERAL = re.compile(
     rf"(?<![A-Za-z])(?:{'|'.join(sorted(word for word, name in function_words().items() if arity(name) > 1 or name == 'ln'))})(?![A-Za-z])"
 )
 EQUALS = re.compile(r"[=≈]|\\(?:approx|simeq|sim)\b|\s~\s")
+GLUED_BELOW = re.compile(r"/\s*[0-9]+(?:[.,][0-9]+)?[^\W\d_]")
 LOGARITHM = re.compile(r"(?<![A-Za-z])log(?![A-Za-z0-9_])")
 
 
@@ -146,20 +148,23 @@ def _in_signs(text: str, letters: Collection[str], unit: Unit | None) -> str:
 
 
 def fitting(text: str, question: Question) -> Expr | Unclear | None:
-    """Of the readings of `m v cos θ/M`, the one with the dimension asked for; both, when both have it."""
+    """The formula, where the reading that stops early (`(cos θ)/M`) alone measures what is asked for; else asked about, with
+    the readings that do: `ln m0/m1` and, whatever fits, a number and a letter glued below a slash, `m v/2dt`."""
     if (solved := _solved(text, question)) is not None:
         return solved
-    trees = [formula(text, question, lean) for lean in ("near", "far")]
     good = [
-        tree
-        for tree in trees
-        if not isinstance(tree, ParseError) and dimension_in(tree, question) == question.unit.dimension
+        tree if dimension_in(tree, question) == question.unit.dimension else None
+        for tree in (formula(text, question, "near"), formula(text, question, "far"))
+        if not isinstance(tree, ParseError)
     ]
-    if len(good) < 2:
-        return good[0] if good else None
+    found = tuple(tree for tree in good if tree is not None)
+    if len(found) == 1 and found[0] is good[0] and not GLUED_BELOW.search(text.translate(TO_ASCII)):
+        return found[0]
+    if not found:
+        return None
     read = formula(text, question)
     why = sentence(read) if isinstance(read, ParseError) else _("this formula can be read in two ways")
-    return Unclear(why, as_typed(text), tuple(formulas(tree) for tree in good))
+    return Unclear(why, as_typed(text), tuple(formulas(tree) for tree in found))
 
 
 def _solved(text: str, question: Question) -> Unclear | None:
@@ -167,15 +172,16 @@ def _solved(text: str, question: Question) -> Unclear | None:
     bare, _skipped, sides = answer_in(by_hand(text).translate(TO_ASCII))
     found = solvable(sides[0], question) if len(sides) == 1 and not is_name(sides[0], question) else None
     tree = _right_side(bare, question.symbol_names, question.unit, "ask") if found else None
+    of_angle = turns(found) and question.unit.is_angle
     if (
         found is None
         or tree is None
         or isinstance(tree, ParseError)
-        or not unknown_letter(found.name, question)
+        or not (of_angle or unknown_letter(found.name, question))
     ):
         return None
     alone = as_formula(found, tree)
-    if alone is None or dimension_in(alone, question) != question.unit.dimension:
+    if dimension_in(alone, question) != question.unit.dimension:
         return None
     read = formula_text(alone)
     why = _(
@@ -185,7 +191,8 @@ def _solved(text: str, question: Question) -> Unclear | None:
         name=found.name,
         choice=read,
     )
-    return Unclear(f"{why}; {_('write the formula alone')}", as_typed(text), (formulas(alone),), benefit=True)
+    ending = _("type the angle") if of_angle else _("write the formula alone")
+    return Unclear(f"{why}; {ending}", as_typed(text), (formulas(alone),), benefit=True)
 
 
 def formulas(*trees: Expr, typed: str = "") -> Formulas:

@@ -12,7 +12,7 @@ from functools import cache
 from corollary.answers.name import SYMBOL, apart, is_name, is_talk, keyboard
 from corollary.answers.question import Question
 from corollary.formula.abbreviations import function_words
-from corollary.formula.ast import Expr, Number, Product, Quotient
+from corollary.formula.ast import Call, Expr, Number, Power, Product, Quotient
 from corollary.formula.ast import names as letters_of
 from corollary.formula.errors import ParseError
 from corollary.formula.symbols import GREEK
@@ -213,13 +213,27 @@ def is_another_given(side: str, wanted: Unit, question: Question | None) -> bool
     return its_unit is not None and its_unit.dimension != wanted.dimension
 
 
-def as_formula(found: Solved, tree: Expr) -> Expr | None:
-    """The formula of the letter, where the left side is a multiple of it."""
-    if found.function:
-        return None
+def as_formula(found: Solved, tree: Expr) -> Expr:
+    """The formula of the letter: its left side undone on the right one."""
+    match found.function:
+        case "sin" | "cos" | "tan" | "ln" | "exp":
+            undone: Expr = Call({"ln": "exp", "exp": "ln"}.get(found.function, f"a{found.function}"), (tree,))
+        case "log10":
+            undone = Power(Number(Fraction(10)), tree)
+        case "sqrt":
+            undone = Power(tree, Number(Fraction(2)))
+        case "1/":
+            undone = Quotient(Number(Fraction(1)), tree)
+        case _:
+            undone = tree
     top, bottom = Number(Fraction(found.factor.numerator)), Number(Fraction(found.factor.denominator))
-    scaled = tree if top.value == 1 else Product((top, tree))
+    scaled = undone if top.value == 1 else Product((top, undone))
     return scaled if bottom.value == 1 else Quotient(scaled, bottom)
+
+
+def turns(found: Solved | None) -> bool:
+    """True for the sine, cosine or tangent of one letter."""
+    return found is not None and found.function in ("sin", "cos", "tan")
 
 
 def named(sides: Sequence[str], question: Question | None = None) -> bool:

@@ -14,7 +14,7 @@ MARKS = "̄⃗̂̇̃̅"  # bars, arrows, hats and dots above a letter
 INDEX = r"(?:_\{[^{}=]{1,16}\}|_\([^()=]{1,16}\)|\[[0-9A-Za-z]{1,2}\]|[^\W²³¹⁰⁴-⁹⁻]|[₀-₉ₐ-ₜ]|['⁎]|\*(?!\s*[\w(.]))"
 SYMBOL = (
     rf"(?:(?:delta|Delta|[Δ∆∑ΣδdD])\s*(?=[^\W\d_]))?[^\W\d_][{MARKS}]*{INDEX}{{0,15}}[{MARKS}]*(?:-[^\W\d_]{{3,12}})?"
-    r"(?:,[^\W\d_]{1,3})?"
+    r"(?:,[^\W_]{1,3}(?![\w.]))?"
 )
 # `v(t)`, `F(y = 0.6 m)`: a function of its own letter, which is a name; `m(v + w)` is a product.
 CALLED = r"(?:\s*\((?:[txyz0]|\s*[^\W\d_]\w*\s*=[^()=]*)\))?"
@@ -82,6 +82,10 @@ def _is_one(run: str, question: Question | None) -> bool:
     index = re.split(r"_|\(|\[|-|,", bare[head.end() :])[0]
     if not index.strip("'⁎*"):
         return True
+    if question is not None and re.fullmatch("[a-z](?:_.*)?'?", bare[head.end() :]):
+        measured = question.dimensions.get(keyboard(head[0]))
+        if measured not in (None, question.unit.dimension):
+            return False  # `mp`, where m is given: m times p
     letters = [each for each in index if each.isalpha()]
     if any(ord(each) > 127 and each in GREEK for each in letters):
         return False  # `Lθ`, `FΔt`

@@ -46,6 +46,7 @@ LEADING = (
     re.compile(
         r"I (?:get|got|find|found|have) |(?:the )?same as (?:before|in \(?[a-z]\)?)[,:]\s*", re.IGNORECASE
     ),
+    re.compile(r"(?:=>|-{1,2}>|[→⇒⟹⟶➜∴])\s*"),
     re.compile(
         rf"[=≈~:]\s*|(?-i:(?![a-z]+[A-Z]))(?:{WORDS})(?![A-Za-z0-9_^*/(]|\s+ganger)\s*", re.IGNORECASE
     ),

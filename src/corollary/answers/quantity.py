@@ -12,13 +12,14 @@ from typing import Literal
 from corollary.answers import trace
 from corollary.answers.arithmetic_answer import worked_out
 from corollary.answers.components import are_axes, in_one_line, pieces_of, unread_side, without_preamble
+from corollary.answers.doubts import TABLE, doubtful
 from corollary.answers.left_side import (
-    Solved,
     gives_what_is_asked,
     is_another_given,
     named,
     solvable,
     solved_value,
+    turns,
     unknown_letter,
 )
 from corollary.answers.motion_words import motion_in_number, motion_in_numbers
@@ -27,7 +28,7 @@ from corollary.answers.number_words import in_digits
 from corollary.answers.polar import length_and_angle
 from corollary.answers.preamble import answer_in
 from corollary.answers.question import Question
-from corollary.answers.spread import WIDEST, in_brackets, without_spread
+from corollary.answers.spread import WIDEST, without_spread
 from corollary.answers.tolerance import same_value
 from corollary.answers.unit_meant import unit_meant
 from corollary.formula.ast import Expr
@@ -42,7 +43,6 @@ _ = catalogue(__name__)
 MOST_SIDES = 5
 RESIDUE = 1e-12  # in the unit typed: what a calculation leaves where the other side is 0
 ROUND = str.maketrans("[]{}", "()()")
-TABLE = re.compile(r"^\s*\|[^|]*\|[^|]+\|\s*$|\|\s*:?-{3,}", re.MULTILINE)  # of Markdown
 TWICE = re.compile(
     r"\s*([^()=]*[^()=\s])\s*(?:(?P<open>\()|[,;]\s*(?:or|i\.e\.|that is)\s)\s*=?\s*([^()=]*[^()=\s])\s*(?(open)\))\s*"
 )
@@ -54,18 +54,10 @@ EULER = re.compile(
 BOTH_SIGNS = re.compile(
     r"\s*\(?(?P<middle>[-+]?[0-9.,]+)\s*(?P<own>[°%A-Za-zµ][^±]*?)?\s*(?:±|\+/-|\+-)\s*(?P<half>[0-9.,]+)\)?\s*(?P<unit>[°%A-Za-zµ].*?)?\s*"
 )
-LOST_POWER = re.compile(
-    r"(?<![0-9.,])(?P<number>[0-9]+(?:[.,][0-9]+)?)\s?[xX×·⋅]\s?10(?P<power>[1-9][0-9]?)(?![0-9.,^*])"
-)
-# `6/2x10^3`: with a cross or a blank the power of ten may belong to the divisor; with `*` it is a factor, as in Python.
-TEN_BELOW = re.compile(
-    r"(?P<top>[0-9.,]+)\s*/\s*(?P<bottom>[0-9]+(?:[.,][0-9]+)?)(?:\s?[xX]\s?|\s+)10(?:\^|\*\*)(?P<power>[({]?[-+]?[0-9]+[)}]?)"
-)
 TWO_ANSWERS = re.compile(r"\d\D*\s(?:or|oder|eller|ou)\s\D*\d", re.IGNORECASE)
 NAME_BEHIND = re.compile(
     r"\s*(?P<value>[-+−–]?\s*[0-9.,][^=≈]*?)\s*=\s*(?P<name>[^=≈\s0-9][^=≈]{0,12}?)\s*"
 )  # `86 N = F`
-HEXADECIMAL = re.compile(r"(?<![0-9.,A-Za-z])0[xXbBoO][0-9A-Fa-f]")
 GLUED = re.compile(r"(?<=[A-Za-z²³°%])([+-])(?=[0-9.,]+\s*[A-Za-zµ°%])")
 PIECE = re.compile(r"([0-9]+(?:[.,][0-9]+)?)\s*(°|[A-Za-zµ]+)")
 SEVERAL = re.compile(
@@ -107,7 +99,7 @@ def read_quantity(text: str, expected: Unit | None, question: Question | None = 
         typed.translate(TO_ASCII)
     )  # split_remark, strip_preamble, solve_left_side
     rewritten = text != typed
-    if (doubt := _doubtful(typed, normalized)) is not None:
+    if (doubt := doubtful(typed, normalized)) is not None:
         return _placed(doubt, skipped, rewritten=rewritten)
     normalized, spread = _split_uncertainty(normalized)
     found = _parse(text, normalized, expected)
@@ -132,32 +124,6 @@ def _rewrite(text: str) -> str:
     if typed != text:
         trace.took("rewrite", text, typed)
     return typed
-
-
-def _doubtful(typed: str, normalized: str) -> ParseError | None:
-    """What is asked about or refused before a number is looked for: `65.0(5)`, a table, `3x108`, `0x10`."""
-    if asked := in_brackets(normalized):
-        return asked
-    if TABLE.search(typed):
-        return refused(_("a table is not read here"), None, _("write one number and a unit"))
-    if (lost := LOST_POWER.search(typed)) is not None:
-        before, behind = typed[: lost.start()], typed[lost.end() :]
-        choices = tuple(
-            f"{before}{lost['number']}*{power}{behind}"
-            for power in (f"10^{lost['power']}", f"10{lost['power']}")
-        )
-        why = _("{text} can be a power of ten or a product", text=lost[0].strip())
-        return ParseError("asked", why, None, _("write {choices}", choices=_(" or ").join(choices)), choices)
-    if (ten := TEN_BELOW.search(typed)) is not None:
-        before, behind = typed[: ten.start()], typed[ten.end() :]
-        top, bottom, power = ten["top"], ten["bottom"], f"10^{ten['power'].strip('(){}')}"
-        choices = f"{before}({top}/{bottom})*{power}{behind}", f"{before}{top}/({bottom}*{power}){behind}"
-        why = _("{text} can be a product or a fraction", text=ten[0].strip())
-        return ParseError("asked", why, None, _("write {choices}", choices=_(" or ").join(choices)), choices)
-    if HEXADECIMAL.search(normalized):
-        why = _("{text} is no decimal number", text=normalized.strip())
-        return refused(why, 0, _("write one number and a unit"))
-    return None
 
 
 def _split_uncertainty(normalized: str) -> tuple[str, str]:
@@ -223,9 +189,7 @@ def _beside_sides(
         return ParseError("asked", why, None, _("write the answer without it"))
     if named(sides, question) or not unread:
         return ()
-    if wanted.is_angle and (
-        turned := next((side for side in unread if _turns(solvable(side, question))), "")
-    ):
+    if wanted.is_angle and (turned := next((side for side in unread if turns(solvable(side, question))), "")):
         return _asked_about(turned, last, wanted, question)
     stand_for_it = [gives_what_is_asked(side, wanted.dimension, question) for side in unread]
     if any(stand_for_it):
@@ -233,26 +197,21 @@ def _beside_sides(
     return _asked_about(unread[0], last, wanted, question)
 
 
-def _turns(found: Solved | None) -> bool:
-    """True for the sine, cosine or tangent of one letter."""
-    return found is not None and found.function in ("sin", "cos", "tan")
-
-
 def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | None) -> ParseError:
     """`2*theta = 180 deg`, solved for its letter and asked about; without a reading where it has no letter to solve for."""
     why = _("{side} stands on the left, not the answer alone", side=side)
     found = solvable(side, question)
-    turns = _turns(found)
+    of_angle = turns(found) and wanted.is_angle
     if (
         found is None
         or (found.function and last.unit is not None)
-        or not ((turns and wanted.is_angle) or unknown_letter(found.name, question))
+        or not (of_angle or unknown_letter(found.name, question))
     ):
         return ParseError("asked", why, None, _("write one number and a unit"))
     value = solved_value(found, in_si(last) if found.function else float(last.value))
     if value is None:
         return ParseError("asked", why, None, _("write one number and a unit"))
-    if turns:
+    if turns(found):
         value, its_unit = math.degrees(value), " deg"
     else:
         its_unit = "" if found.function else f" {last.unit.text}" if last.unit is not None else ""
@@ -264,7 +223,9 @@ def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | No
         name=found.name,
         choice=choice,
     )
-    return ParseError("asked", why, None, _("write the answer alone"), (choice,))
+    return ParseError(
+        "asked", why, None, _("type the angle") if of_angle else _("write the answer alone"), (choice,)
+    )
 
 
 def _agree(one: Reading, other: Reading) -> bool:
@@ -429,13 +390,17 @@ def _placed(error: ParseError, skipped: int, *, rewritten: bool) -> ParseError:
 
 
 def read_quantities(
-    text: str, expected: Unit | None, count: int, names: Sequence[str] = ()
+    text: str,
+    expected: Unit | None,
+    count: int,
+    names: Sequence[str] = (),
+    question: Question | None = None,
 ) -> tuple[Reading, ...] | ParseError:
     """A vector of `count` components: `(3, 4) m/s`, `[3; 4]`, `3 m/s; 4 m/s`, `3 i + 4 j`, in a plane `5 m/s at 30 deg`.
 
     With `names`, components that the text names (`p_y = 4, p_x = 3`) are put in their order.
     """
-    pieces = components_in(text, count, names, angles=expected is not None and expected.is_angle)
+    pieces = components_in(text, count, names, expected, question)
     match pieces:
         case ParseError():
             return pieces
@@ -449,29 +414,50 @@ def read_quantities(
                     start = text.find(piece)
                     return reading.moved(start) if start >= 0 else reading.without_place()
                 found.append(reading)
-            return tuple(found)
+            return _bare_beside_unit(found, expected) or tuple(found)
+
+
+def _bare_beside_unit(found: Sequence[Reading], expected: Unit | None) -> ParseError | None:
+    """What is asked about `894 mm, 1306` where metres are asked for: the number without a unit may be in either."""
+    units = {each.unit.text: each.unit for each in found if each.unit is not None}
+    bare = [each for each in found if each.unit is None and each.value]
+    if expected is None or not bare or len(units) != 1:
+        return None
+    (unit,) = units.values()
+    if unit.dimension != expected.dimension or unit.si == expected.si:
+        return None
+    choices = tuple(
+        f"({'; '.join(each.as_read if each.unit or not each.value else f'{each.as_read} {show(its_unit)}' for each in found)})"
+        for its_unit in (unit, expected)
+    )
+    why = _("{number} has no unit beside {other}", number=bare[0].as_read, other=show(unit))
+    return ParseError("asked", why, None, _("write {choices}", choices=_(" or ").join(choices)), choices)
 
 
 def components_in(
-    text: str, count: int, names: Sequence[str] = (), *, angles: bool = False
+    text: str,
+    count: int,
+    names: Sequence[str] = (),
+    expected: Unit | None = None,
+    question: Question | None = None,
 ) -> list[str] | tuple[str, str] | ParseError:
-    """The texts of the components, or those of a length and an angle; two `angles` are no such vector."""
+    """The texts of the components, or those of a length and an angle; where angles are expected, two are no such vector."""
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
     if TABLE.search(text):
         return refused(_("a table is not read here"), None, _("write the components as (3; 4) m/s"))
     typed = motion_in_numbers(by_hand(in_one_line(text, count)))
     normalized, skipped, sides = without_preamble(typed.translate(TO_ASCII))
-    if (doubt := unread_side(sides, names)) is not None:
+    if (doubt := unread_side(sides, names, question)) is not None:
         return doubt
     if count == 2 and (both := BOTH_SIGNS.fullmatch(normalized)) is not None:  # `150° ± 90°`
         middle, half = both["middle"], both["half"]
         unit = both["unit"] or both["own"] or ""
         return [f"{middle} {both['own'] or unit} {sign} {half} {unit}" for sign in "-+"]
-    polar = None if angles else length_and_angle(normalized)
+    polar = None if expected is not None and expected.is_angle else length_and_angle(normalized)
     if isinstance(polar, tuple) and not (count == 2 and are_axes(names)):
         return refused(_("a length and an angle give a vector in a plane only"))
-    pieces = pieces_of(normalized, count, names) if polar is None else polar
+    pieces = pieces_of(normalized, count, names, expected, question) if polar is None else polar
     return _placed(pieces, skipped, rewritten=text != typed) if isinstance(pieces, ParseError) else pieces
 
 

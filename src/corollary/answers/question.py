@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 from corollary.units.unit import Dimension, Unit, unit
+
+Extreme = Literal["", "least", "greatest"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +28,7 @@ class Question:
     stands beside them; `signature` is that of a
     function, `force(t, dt)`; `symbols` are the givens of the problem; `slope` is the angle that directions along a slope turn by;
     `rows` and `columns` are the labels of a table, `column_units` the units of its columns, where they are not all `unit`;
-    `ratio` is the sentence that says what is asked over what;
+    `ratio` is the sentence that says what is asked over what; `extreme` tells that a least or a greatest value is asked for;
     `positive` is the positive direction in the problem's words, `reference` is from what it counts an angle.
     """
 
@@ -47,6 +49,7 @@ class Question:
     positive: str = ""
     reference: str = ""
     ratio: str = ""
+    extreme: Extreme = ""
 
     @property
     def function(self) -> str:
@@ -87,6 +90,7 @@ class Question:
             "positive": self.positive,
             "reference": self.reference,
             "ratio": self.ratio,
+            "extreme": self.extreme,
             "symbols": [(symbol.name, symbol.unit.text, symbol.meaning) for symbol in self.symbols],
         }
 
@@ -112,4 +116,5 @@ class Question:
             data["positive"],
             data["reference"],
             data["ratio"],
+            data["extreme"],
         )

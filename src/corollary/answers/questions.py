@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from corollary.answers.bound import extreme_asked
 from corollary.answers.positive_direction import angle_reference, named_positive
 from corollary.answers.question import Question, Symbol
 from corollary.answers.registry import BUILT_IN, answer_type, known
@@ -40,6 +41,7 @@ def question_of(problem: Problem, part: Part) -> Question:
         named_positive(problem.statement, part.text),
         angle_reference(problem.statement, f"{part.title} {part.text}"),
         part.text if part.answer_type == "value" and part.unit.bare else "",
+        extreme_asked(part.title, part.text),
     )
 
 

@@ -21,6 +21,7 @@ IN = re.compile(r"in\s+(?=\S)")
 DEGREE = re.compile(
     r"\s*(?:[⁰oO0]\s?|[°º]\s?|deg\s?)?(?P<scale>[CF])\s*[°º]?\s*|\s*(?:[°º⁰]|deg(?:rees?)?)\s*"
 )
+POUND = re.compile(r"(?<![A-Za-z])(?:lbs?|[Pp]ounds?|[Pp]funde?|[Pp]und)(?![A-Za-z])")
 UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")
 HERTZ, TURNS = re.compile(r"Hz\b"), re.compile(r"\b(?:turn|rpm)\b")
 SHARE = re.compile(r"[%‰]|\bpp[mb]\b")
@@ -53,6 +54,9 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
         return ambiguous(_("m can be minutes or metres"), 0, "min", "m")
     if expected is None or (isinstance(unit, Unit) and unit.dimension == expected.dimension):
         return unit
+    in_force = read_unit(POUND.sub("lbf", text))
+    if isinstance(in_force, Unit) and in_force.dimension == expected.dimension:
+        return in_force  # the pounds that are read are shown as lbf
     unknown = isinstance(unit, ParseError) and unit.status == "refused"
     if (unknown or in_capitals(text)) and (meant := _in_another_case(text, expected)) is not None:
         return (_doubtful(text, meant, expected) or meant) if isinstance(meant, Unit) else meant

@@ -114,10 +114,12 @@ def _in_one_text(text: str, question: Question) -> Read:
         and (one := _along_one_axis(text, question)) is not None
     ):
         return one  # `1,6 Ns upwards`
-    found = read_quantities(text, question.unit, count, question.components)
+    found = read_quantities(text, question.unit, count, question.components, question)
     if not isinstance(found, ParseError):
         return _together([from_reading(each, question.unit) for each in found])
-    pieces = components_in(text, count, question.components)
+    if chosen := _chosen(found, question):
+        return Unclear(sentence(found), as_typed(text), chosen)
+    pieces = components_in(text, count, question.components, question=question)
     if isinstance(pieces, list):
         each = _each([Text(piece) for piece in _by_direction(pieces, question.components)], question)
         if isinstance(each, (Numbers, Formulas)) or (isinstance(each, Unclear) and each.readings):
@@ -125,6 +127,22 @@ def _in_one_text(text: str, question: Question) -> Read:
     elif (one := _along_one_axis(text, question)) is not None:
         return one
     return Unclear(sentence(found), as_typed(text))
+
+
+def _chosen(doubt: ParseError, question: Question) -> tuple[Numbers, ...]:
+    """What a text that is asked about could mean as a whole."""
+    if doubt.status != "asked":
+        return ()
+    read = (
+        read_quantities(choice, question.unit, len(question.components), question.components)
+        for choice in doubt.choices
+    )
+    found = (
+        _together([from_reading(each, question.unit) for each in one])
+        for one in read
+        if isinstance(one, tuple)
+    )
+    return tuple(each for each in found if isinstance(each, Numbers))
 
 
 def _by_direction(pieces: list[str], components: tuple[str, ...]) -> list[str]:

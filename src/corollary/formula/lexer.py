@@ -36,6 +36,7 @@ Kind = Literal[
     "end",
 ]
 NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE](?P<power>[+-]?[0-9]+))?")
+WORD_BEFORE_DIGIT = re.compile(r"[^\W\d_]+(?=[0-9])")
 RAISED_RUN = re.compile(r"[⁻⁺]?[⁰¹²³⁴-⁹]+")
 COMPARE = re.compile(r"==|!=|<=|>=|[=<>≤≥≠]")
 LONE: dict[str, tuple[Kind, str]] = {
@@ -119,7 +120,7 @@ def _next(normalized: str, at: int, tight: bool, read_run: ReadRun) -> Found | P
     if run:
         pieces = read_run(run[0], at)
         if isinstance(pieces, ParseError):
-            return pieces
+            return _glued_function(run[0], at, tight, read_run) or pieces
         return [
             Token(piece.kind, piece.name, piece.at, tight or place > 0) for place, piece in enumerate(pieces)
         ], run.end()
@@ -143,6 +144,18 @@ def _next(normalized: str, at: int, tight: bool, read_run: ReadRun) -> Found | P
         at,
         _(HINTS[letter]) if letter in HINTS else "",
     )
+
+
+def _glued_function(run: str, at: int, tight: bool, read_run: ReadRun) -> Found | None:
+    """The function of `sqrt2gh`, `sin2x`: what stands before the first digit of a run that is no letter of the exercise."""
+    word = WORD_BEFORE_DIGIT.match(run)
+    pieces = read_run(word[0], at) if word else None
+    if word is None or not isinstance(pieces, list) or [piece.kind for piece in pieces][-1:] != ["function"]:
+        return None
+    found = [
+        Token(piece.kind, piece.name, piece.at, tight or place > 0) for place, piece in enumerate(pieces)
+    ]
+    return found, at + word.end()
 
 
 def _number(found: re.Match[str], tight: bool) -> Token | ParseError:

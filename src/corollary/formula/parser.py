@@ -20,6 +20,7 @@ DEEPEST = 40
 LARGEST_POWER = 64
 MOST_BITS = 4096
 COMPARE, ADD, TIMES, FACTOR, UNIT, RAISE = 5, 10, 20, 21, 25, 30
+EULER = Call("exp", (Number(Fraction(1)),))
 STARTS = frozenset({"number", "name", "function", "e", "open"})
 
 
@@ -131,7 +132,7 @@ def _raised(line: Line, base: Expr, token: Token) -> Expr:
     exponent = _formula(line, RAISE - 1)
     near = _power(base, exponent, token)
     bottom = exponent.term if isinstance(exponent, Negative) else exponent
-    behind, tens = line.next, base == Number(Fraction(10)) or base == Call("exp", (Number(Fraction(1)),))
+    behind, tens = line.next, base in (Number(Fraction(10)), EULER)
     product = tens and behind.kind == "name" and behind.tight and isinstance(bottom, Number | Name)
     quotient = (
         behind.kind == "sign"
@@ -148,6 +149,8 @@ def _raised(line: Line, base: Expr, token: Token) -> Expr:
     far = _power(base, longer, token)
     if line.lean == "far":
         return far
+    if base == EULER:
+        far, near = Call("exp", (longer,)), Call("exp", (exponent,))
     raise Stop(
         ambiguous(
             _("it is not clear where the exponent ends"),
@@ -250,10 +253,10 @@ def _exponential(line: Line) -> Expr:
     """Euler's number: `e^(-t)` is exp(-t)."""
     if line.next.kind == "sign" and line.next.text == "^":
         token = line.take()
-        power = _raised(line, Call("exp", (Number(Fraction(1)),)), token)
+        power = _raised(line, EULER, token)
         assert isinstance(power, Power)
         return Call("exp", (power.exponent,))
-    return Call("exp", (Number(Fraction(1)),))
+    return EULER
 
 
 def _call(line: Line, token: Token) -> Expr:

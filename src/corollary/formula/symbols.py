@@ -207,7 +207,8 @@ def _latin(run: str) -> tuple[str, list[int], set[int]]:
     for place, letter in enumerate(run):
         if letter == "_" or letter in "{},":
             braced = letter == "{" or (braced and letter != "}")
-            joints.add(len(latin))
+            if letter != "}":  # behind `m_{B}` another letter may begin
+                joints.add(len(latin))
         elif letter != " ":
             word = GREEK.get(letter) or LOWERED.get(letter, letter)
             first = len(latin) if braced or letter in LOWERED else len(latin) + 1

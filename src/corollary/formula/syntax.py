@@ -24,6 +24,9 @@ _ = catalogue(__name__)
 INDEXED = re.compile(
     rf"(?<![A-Za-z0-9_])([{LETTER}]+)\[([0-9]{{1,2}}|[A-Za-z]|[0-9A-Za-z]{{1,2}},[0-9A-Za-z]{{1,2}})\]"
 )
+JOINED = re.compile(
+    rf"(?<![{LETTER}0-9_])(?P<head>[{LETTER}]+_[{LETTER}0-9]{{1,3}}),(?P<index>[{LETTER}0-9]{{1,2}})(?![{LETTER}0-9_.(])"
+)
 LEFT = re.compile(rf"\s*({RUN.pattern})\s*(?:\(\s*t\s*\)\s*)?=(?!=)")
 
 
@@ -74,7 +77,11 @@ def parse(
 
 
 def _with_indices(line: str, known: Letters) -> str | ParseError:
-    """`v[0]` as v_0 where there is such a letter; asked about where a letter stands before a bracket with digits alone."""
+    """`v[0]` as v_0 and `v_A,0` as v_A0, where there is such a letter; asked about where a letter stands before a bracket with digits alone."""
+    for found in JOINED.finditer(line):
+        name = f"{found['head']}{found['index']}"
+        if name.replace("_", "") in known.exact:
+            line = line.replace(found[0], name.ljust(len(found[0])), 1)
     for found in INDEXED.finditer(line):
         name = f"{found[1]}_{found[2]}"
         if (

@@ -116,7 +116,8 @@ def _expanded(text: str, depth: int) -> str:
                 above, rest = _argument(rest)
                 below, rest = _argument(rest)
                 above, below = _expanded(above, depth + 1), _expanded(below, depth + 1)
-                done += f"(({above})/{below if below.isalnum() else f'({below})'})"
+                alone = below.isdecimal() or (len(below) == 1 and below.isalpha())
+                done += f"(({above})/{below if alone else f'({below})'})"
             case "sqrt":
                 index = re.match(r"\s*\[([^\[\]]*)\]", rest)
                 inner, rest = _argument(rest[index.end() :] if index else rest)

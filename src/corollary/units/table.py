@@ -140,6 +140,7 @@ kgf kp  | kg m s^-2          | 9.80665           |               | kilopond
 erg     | kg m^2 s^-2        | 1/10000000        |               | erg
 BTU Btu | kg m^2 s^-2        | 1055.056          |               |
 hp      | kg m^2 s^-3        | 745.69987158227022 |              | horsepower
+PS hk   | kg m^2 s^-3        | 735.49875         |               | Pferdestärke hestekraft hestekrefter
 psi     | kg m^-1 s^-2       | 44482216152605/6451600000 |       |
 gauss   | kg s^-2 A^-1       | 1/10000           | m k           | gauss
 kn kt   | m s^-1             | 463/900           |               | knot

@@ -9,6 +9,7 @@ from typing import final
 from corollary.answers.answer import Answer, Blank, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.blanks import nones
+from corollary.answers.bound import bound_in, bounded
 from corollary.answers.formula import (
     as_typed,
     dimension_in,
@@ -57,6 +58,8 @@ class ExpressionType(AnswerType):
                 return Blank()
             case Text(text) if text.strip() in PLACEHOLDERS:
                 return Blank()
+            case Text(text) if count == 1 and (bound := bound_in(text)) is not None:
+                return bounded(bound, self.read(Text(bound.text), question), question)
             case Text(text) if count == 1:
                 texts = [text]
             case Items(items) if len(items) == count and all(isinstance(item, Text) for item in items):

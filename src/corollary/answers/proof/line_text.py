@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
+from corollary.answers.name import keyboard
 from corollary.formula.by_hand import by_hand
-from corollary.formula.symbols import APART, LETTER, RUN
+from corollary.formula.symbols import APART, GREEK, LETTER, RUN
 
 Readable = Callable[[str], bool]
 """Whether a word is a formula in the letters of the problem."""
@@ -14,8 +15,9 @@ Readable = Callable[[str], bool]
 GOAL = re.compile(
     r"\s*(?:to (?:show|prove|be shown)|we want|want|claim|goal|zu zeigen|behauptung)\b", re.IGNORECASE
 )
+ARROW = r"<?=>|<?-{1,2}>|[→⇒⟹⟶⇔⟺↔➜➔∴∵]|\\(?:Rightarrow|Longrightarrow|rightarrow|implies|iff|therefore|because|to)(?![A-Za-z])"
 LEADING = re.compile(
-    r"\s*(?:(?:=>|⇒|⟹|→|<=>|⇔|\\Rightarrow|\\implies|\\iff|\*|•|\(?[0-9]{1,2}[.)])\s+"
+    rf"\s*(?:(?:{ARROW})\s*|(?:\*|•|\(?[0-9]{{1,2}}[.)])\s+"
     r"|(?:so|thus|hence|therefore|then|and|or|with|where|because|since|also|now)\b[:,]?\s+"
     r"|[A-Za-z][^=:]*:\s*|[(0-9][^=:]*:\s+)*",
     re.IGNORECASE,
@@ -23,7 +25,7 @@ LEADING = re.compile(
 NUMBERED = re.compile(  # the number of an equation behind it
     r"\s(?:\((?:\*{0,2}[0-9]{1,2}|[ivIV]{1,5}|[0-9]{1,2}\.[0-9]{1,3}[a-z]?)\)|\[[0-9.]{1,7}\])$"
 )
-ARROWS = re.compile(r"=>|⇒|⟹|→|⟶|<=>|⇔|\\Rightarrow|\\implies|\\iff")
+ARROWS = re.compile(ARROW)
 EQUALS = re.compile(r":=|===?|≡|≝|≔")
 REMARK = re.compile(
     r"(?:\s#|//|\s--\s|\s–\s).*$|[\s,;]+\(?(?:q\.?\s?e\.?\s?d|w\.?\s?z\.?\s?b\.?\s?w)\b[.)\s]*$|\s*[□∎■]\s*$",
@@ -39,7 +41,7 @@ BETWEEN = re.compile(
 QUESTION = re.compile(r"=\s*\?+\s*$")
 SPECIAL_CASE = re.compile(r"\s*(?:for|if|when|für|bei|wenn|falls)\b[^:]*=[^:]*:", re.IGNORECASE)
 BULLET = re.compile(r"\s*[-–]\s+")
-PRIMES = re.compile(r"(?<=[A-Za-z0-9_}])['’′]+(?![A-Za-z])")
+PRIMES = re.compile(rf"(?<=[{LETTER}0-9_}}])['’′]+(?![A-Za-z])")
 REASONS = frozenset(
     ["using", "because", "since", "as", "for", "by", "from", "da", "weil"]
 )  # what it is said for comes after it
@@ -52,6 +54,9 @@ FIRST_WORD = re.compile(rf"\s*({RUN.pattern}|[A-Za-z'’-]+|[0-9]+[a-z]{{2}})[,:
 ORDINAL = re.compile(r"[0-9]+(?:st|nd|rd|th)")
 OPERATOR = re.compile(r"[=*/^+<>√²³]")
 ENDS = re.compile(r"\W*q\.?\s?e\.?\s?d\.?\W*|[^\w]*", re.IGNORECASE)
+GREEK_LETTER = re.compile(
+    rf"(?:[{''.join(sorted(set(GREEK) - set('Δ∆δπħℏ')))}]|δ(?![A-Za-z]))(?:_\{{[A-Za-z0-9, ]{{1,8}}\}}|_?[0-9₀-₉]+|_[A-Za-z]|_prime)?"
+)
 LONE = re.compile(rf"\s*({RUN.pattern})\s*")
 LATIN = re.compile(rf"[{LETTER}]{{3}}")
 
@@ -167,6 +172,11 @@ def lettered(side: str) -> list[str]:
     return [
         run for run in RUN.findall(side) if not run.isalpha() or (len(run) < 3 and run.lower() not in SHORT)
     ]
+
+
+def greek_letters(side: str) -> list[str]:
+    """The Greek letters of a side with their indices, as they are called on a keyboard: `lambda` of `λgy`, `rho_0` of `ρ_0`."""
+    return [re.sub(r"[{}, ]", "", keyboard(found)) for found in GREEK_LETTER.findall(side)]
 
 
 def _is_word(word: str, readable: Readable) -> bool:

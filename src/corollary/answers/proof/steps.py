@@ -7,9 +7,11 @@ from dataclasses import replace
 
 from corollary.answers.answer import Equation, Unclear
 from corollary.answers.formula import with_points
+from corollary.answers.name import keyboard
 from corollary.answers.proof.line_text import (
     Readable,
     equations,
+    greek_letters,
     is_prose,
     lettered,
     lone,
@@ -20,13 +22,14 @@ from corollary.answers.proof.line_text import (
 from corollary.answers.proof.rates import letter_of, with_stand_ins, worked_out
 from corollary.formula.ast import Expr, Name, Relation, names
 from corollary.formula.errors import ParseError, sentence
-from corollary.formula.symbols import RUN, letters, read_run
+from corollary.formula.symbols import GREEK, RUN, letters, read_run
 from corollary.formula.syntax import parse
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)
 
 MOST_STEPS = 120
+GREEK_WORDS = frozenset(GREEK.values())
 
 
 def steps_of(lines: Sequence[tuple[int, str]], known: Sequence[str]) -> tuple[Equation, ...] | Unclear:
@@ -109,8 +112,18 @@ def _own_letters(typed: Sequence[tuple[int, str]], known: Sequence[str]) -> list
             found.append(own)
     for _number, equation in typed:
         for side in sides(equation, readable):
-            for letter in (lone(side), *lettered(side)):
-                if letter and letter not in found and not readable(letter):
+            for letter in greek_letters(side):  # `gamma` is a function, γ is none
+                if letter not in (*found, *known) and (letter == "gamma" or not readable(letter)):
+                    found.append(letter)
+            if lone(side) in GREEK_WORDS and not readable(lone(side)) and lone(side) not in found:
+                found.append(lone(side))
+    with_greek = _readable([*known, *found]) if found else readable
+    for _number, equation in typed:
+        for side in sides(equation, readable):
+            for run in (lone(side), *lettered(side)):
+                letter = keyboard(run)
+                glued = letter != run or any(each in run for each in found if each in GREEK_WORDS)
+                if letter and letter not in found and not (with_greek if glued else readable)(run):
                     found.append(letter)
             if lone(side) == "e" and "e" not in (*found, *known):
                 found.append("e")

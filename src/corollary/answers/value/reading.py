@@ -7,10 +7,11 @@ from typing import final
 from corollary.answers.answer import Answer
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.blanks import blank_number
+from corollary.answers.bound import bound_in, bounded
 from corollary.answers.direction import on_usual_axes, with_direction
 from corollary.answers.numbers import scalar
 from corollary.answers.question import Question
-from corollary.formula.value import Value
+from corollary.formula.value import Text, Value
 from corollary.messages import catalogue
 from corollary.units.unit import show
 
@@ -29,6 +30,9 @@ class ValueType(AnswerType):
         return blank_number(question)
 
     def read(self, value: Value, question: Question) -> Answer:
+        if isinstance(value, Text) and (bound := bound_in(value.text)) is not None:
+            return bounded(bound, self.read(Text(bound.text), question), question)
+
         def directed(own: Value) -> Answer:
             return with_direction(own, question, lambda bare: scalar(bare, question))
 
