@@ -10,9 +10,11 @@ from collections.abc import Iterator
 
 from reference_page import table, written
 
-from corollary.scenes.catalogue import SCENES, run
+from corollary.derive.ready_scenes import ready_scenes, run
 from corollary.scenes.definition import Setting
 from corollary.scenes.run import Run, components
+
+SCENES = ready_scenes()
 
 OPENING = """\
 # Ready-made scenes

@@ -30,7 +30,7 @@ from ready import contacts, integrals, momentum, orbits
 from ready.family import Family
 from ready.motion import TooLong
 
-from corollary.scenes.catalogue import run
+from corollary.derive.ready_scenes import run
 from corollary.scenes.run import BadSetting, GuardFailed, Run, components
 
 RESULTS = Path(__file__).parent / "results" / "calibration.md"

@@ -23,7 +23,7 @@ if __name__ == "__main__":
 
 from calibration import FAMILIES
 
-from corollary.scenes.catalogue import run
+from corollary.derive.ready_scenes import run
 from corollary.scenes.integrate import both_ways
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, components
 

@@ -8,7 +8,7 @@ from random import Random
 from scipy.integrate import solve_ivp
 from scipy.special import ellipj, ellipk
 
-from corollary.scenes.catalogue import run
+from corollary.derive.ready_scenes import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.rod import Rod, String

@@ -93,22 +93,23 @@ def play(
     *,
     tolerance: float = 1e-12,
     conditions: bool = True,
+    bank: Bank | None = None,
     **settings: float | tuple[float, ...],
 ) -> Run:
-    """A ready-made scene, played with the least model that answers; settings are in SI, those left out the chapter's.
+    """A ready-made scene of a bank or of the chapter's, played with the least model that answers; settings are in SI, those left out
+    have the scene's own values.
 
     `tolerance` is relative to the scene's natural scale. Each value has its condition, and `warnings` announce a grazing hit, an edge
     or chaos, for a run more for each setting; without `conditions` they are left out.
     Raises BadSetting when a setting is unknown or unphysical, GuardFailed when momentum or energy is not kept.
     """
-    from corollary.scenes import condition
-    from corollary.scenes.catalogue import run
+    from corollary.derive import ready_scenes
     from corollary.scenes.progress import with_bar
 
     if conditions:
-        return condition.play(scene, settings, tolerance)
+        return ready_scenes.play(scene, settings, tolerance, bank=bank)
     with with_bar(f"scene {scene}"):
-        return run(scene, settings, tolerance)
+        return ready_scenes.run(scene, settings, tolerance, bank=bank)
 
 
 def variant(problem: Problem, given: Mapping[str, GivenValue]) -> Variant:

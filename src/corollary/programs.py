@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from corollary.derive.ready_scenes import run
 from corollary.derive.statements import Doubt, Fault, Remark
 from corollary.grading.programs.convergence import (
     NAMED,
@@ -35,7 +36,6 @@ from corollary.grading.programs.fixed_step import EULER, EULER_CROMER, RK4, Meth
 from corollary.grading.programs.panels import Axis, Panel, judge_panels
 from corollary.messages import N_, catalogue, in_convention
 from corollary.sandbox.result import Axes
-from corollary.scenes.catalogue import run
 from corollary.scenes.models.two_bodies import contact_time
 from corollary.scenes.run import Run
 

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from corollary.derive.ready_scenes import run
 from corollary.grading.programs.fixed_step import RK4
-from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.models.pair import meet

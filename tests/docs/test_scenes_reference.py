@@ -6,7 +6,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from corollary.scenes.catalogue import SCENES
+from corollary.derive.ready_scenes import ready_scenes
+
+SCENES = ready_scenes()
 
 TOP = Path(__file__).parents[2]
 

@@ -5,8 +5,10 @@ import random
 
 import pytest
 
-from corollary.scenes.catalogue import SCENES, run
+from corollary.derive.ready_scenes import ready_scenes, run
 from corollary.scenes.run import BadSetting, GuardFailed, components
+
+SCENES = ready_scenes()
 
 # Scenes that are followed in steps take too long for many draws.
 IN_STEPS = {"ballistic_pendulum", "cradle", "touching_spheres", "super_ball"}

@@ -16,7 +16,9 @@ from ready.contacts import of_springs
 from ready.integrals import of_ball, of_spheres
 from ready.motion import followed
 
-from corollary.scenes.catalogue import SCENES, run
+from corollary.derive.ready_scenes import ready_scenes, run
+
+SCENES = ready_scenes()
 
 # Draws, where the reference takes seconds.
 FEW = {"long rows of springs, unequal": 3, "two spheres, damped": 8}

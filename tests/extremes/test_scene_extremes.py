@@ -6,11 +6,13 @@ from itertools import pairwise
 
 import pytest
 
-from corollary.scenes.catalogue import SCENES, run
+from corollary.derive.ready_scenes import ready_scenes, run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.regularised import collide
 from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import BadSetting, GuardFailed
+
+SCENES = ready_scenes()
 
 
 def run_or_refusal(scene, settings, tolerance):

@@ -8,9 +8,9 @@ from html import unescape
 
 import pytest
 
+from corollary.derive.ready_scenes import film_of
 from corollary.messages import language
 from corollary.render.animation import animation, number
-from corollary.scenes.films import film_of
 
 HEAD_ON = {
     "mA": 2.0,

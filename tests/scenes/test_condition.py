@@ -5,8 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from corollary.scenes.catalogue import run
-from corollary.scenes.condition import with_conditions
+from corollary.derive.ready_scenes import run, with_conditions
 
 
 def conditioned(scene, **settings):

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from corollary.scenes.catalogue import run
+from corollary.derive.ready_scenes import run
 from corollary.scenes.forces.absorption import Absorption
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.friction import Friction

@@ -9,9 +9,8 @@ from itertools import pairwise
 import pytest
 
 from corollary import api
+from corollary.derive.ready_scenes import run, with_conditions
 from corollary.scenes import progress
-from corollary.scenes.catalogue import run
-from corollary.scenes.condition import with_conditions
 from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.wall import HardWall

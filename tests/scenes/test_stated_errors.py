@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from corollary.scenes.catalogue import run
+from corollary.derive.ready_scenes import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.spring import Spring

@@ -102,6 +102,7 @@ command(
     "Runs a ready-made scene with the least model that answers, and says which and why. Status 1: the run cannot be followed; "
     "2: a setting is wrong.",
     *PLAYED,
+    BANK,
     JSON,
 )
 command(

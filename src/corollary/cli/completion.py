@@ -63,9 +63,9 @@ def _students(options: dict[str, Any]) -> Iterable[str]:
 
 
 def _scenes(options: dict[str, Any]) -> Iterable[str]:
-    from corollary.scenes.catalogue import SCENES
+    from corollary.derive.ready_scenes import ready_scenes
 
-    return SCENES
+    return ready_scenes(_bank(options))
 
 
 def _targets(options: dict[str, Any]) -> Iterable[str]:

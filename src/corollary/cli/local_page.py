@@ -13,13 +13,14 @@ from corollary.problem.pictures import pictures_of
 
 
 def edition(bank: Bank, path: Path) -> str:
-    """Tells the files of a problem apart from what they were: its own, its pictures, its solution, and the programs beside that."""
-    solution = bank.solution_beside(path)
-    beside = [*solution.parent.glob("*.py"), *solution.with_suffix("").rglob("*.py")]
+    """Tells the files of a problem apart from what they were: its own, its pictures, its solution, the programs beside that, and the
+    bank's ready-made scenes."""
+    solution, scenes = bank.solution_beside(path), bank.home_of(path).scenes
+    beside = [*solution.parent.glob("*.py"), *solution.with_suffix("").rglob("*.py"), *scenes.glob("*.py")]
     with suppress(OSError):
         beside += pictures_of(path)
     states: list[str] = []
-    for each in (path, *sorted(beside)):
+    for each in (path, *sorted(set(beside))):
         with suppress(OSError):  # an editor that moves a file into place leaves none for a moment
             found = each.stat()
             states.append(f"{each.name} {found.st_mtime_ns} {found.st_size}")

@@ -12,6 +12,7 @@ from corollary.cli.local_page import edition, serve
 from corollary.course.one_page_server import OnePageServer
 from corollary.derive.load import NotDerivable
 from corollary.figure.svg import NotADrawing
+from corollary.grading.replay import forget_scenes
 from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import exercise
 from corollary.problem.bank import Bank, home_of_file
@@ -42,6 +43,7 @@ def previewed(place: Bank, path: Path) -> str:
     complaints: list[Diagnostic] = []
     sheets: list[Sheet] = []
     redrawn, advice = 0, ""
+    forget_scenes()
     try:
         problem = read_problem(path)
         heading, draws = f"{problem.code} {problem.title}", [Draw(chapter(problem), None, "")]

@@ -3,31 +3,40 @@
 from __future__ import annotations
 
 import time
+from pathlib import Path
 from typing import Any
 
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
 from corollary.cli.given import from_options
+from corollary.derive.ready_scenes import definition, play, ready_scenes
 from corollary.grading.from_json import finite
-from corollary.scenes.catalogue import SCENES, definition
-from corollary.scenes.condition import play
+from corollary.problem.bank import Bank, open_bank
 from corollary.scenes.run import GuardFailed, Observed, components
 
 FORM = "name=number, such as q=1.5, or masses=0.1,0.2,0.1"
 
 
-def run(name: str | None, settings: list[str], tolerance: float, explained: bool, as_json: bool) -> int:
+def run(
+    name: str | None,
+    settings: list[str],
+    tolerance: float,
+    explained: bool,
+    bank: Path | None,
+    as_json: bool,
+) -> int:
+    place = open_bank(bank)
     if name is None:
         if settings or explained:
             refuse("name a scene; without a name this lists all there are")
-        return _list(as_json)
+        return _list(place, as_json)
     if explained:
         if settings:
             refuse("--settings only tells what the scene takes; leave out --set")
-        return _explain(name, as_json)
+        return _explain(place, name, as_json)
     chosen = _chosen(settings)
     begin = time.perf_counter()
     try:
-        found = play(name, chosen, tolerance)
+        found = play(name, chosen, tolerance, bank=place)
     except GuardFailed as error:
         say(f"corollary: {error}")
         return FAILS
@@ -70,19 +79,20 @@ def run(name: str | None, settings: list[str], tolerance: float, explained: bool
     return HOLDS
 
 
-def _list(as_json: bool) -> int:
+def _list(bank: Bank, as_json: bool) -> int:
+    meanings = {name: scene.meaning for name, scene in ready_scenes(bank).items()}
     if as_json:
-        answer([{"scene": name, "meaning": SCENES[name].meaning} for name in SCENES])
+        answer([{"scene": name, "meaning": meaning} for name, meaning in meanings.items()])
         return HOLDS
-    for name in SCENES:
-        print(f"{name:20}{SCENES[name].meaning}")
+    for name, meaning in meanings.items():
+        print(f"{name:20}{meaning}")
     print("\ncorollary scene NAME --settings tells what one takes")
     return HOLDS
 
 
-def _explain(name: str, as_json: bool) -> int:
+def _explain(bank: Bank, name: str, as_json: bool) -> int:
     """Every setting of a scene: what it means, its unit, the value it has when nothing is said, and what it must be."""
-    scene = definition(name)
+    scene = definition(name, bank)
     if as_json:
         settings = [
             {

@@ -17,6 +17,7 @@ from corollary.cli.local_page import edition
 from corollary.cli.terminal import bar, console
 from corollary.derive.load import NotDerivable
 from corollary.formula.ball import Undefined
+from corollary.grading.replay import forget_scenes
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import Bank, bank_of, home, home_of_file, open_bank, readable
 from corollary.problem.count import written
@@ -86,6 +87,7 @@ def follow(place: Bank, path: Path, variants: int) -> int:
 def verified(place: Bank, path: Path, variants: int, now: str) -> Verification | None:
     """Says what is wrong with this edition as soon as it is found; gives up (None) when the next one is saved, or it cannot be read."""
     start, printed = time.perf_counter(), 0
+    forget_scenes()
     try:
         problem = read_problem(path)
     except Malformed as error:

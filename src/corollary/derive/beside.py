@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import importlib
 import sys
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from importlib.machinery import FileFinder, SourceFileLoader
 from importlib.util import module_from_spec, spec_from_loader
@@ -129,16 +129,20 @@ class LazyModule:
         return self._module
 
 
-def files_beside(solution: Path, source: bytes) -> list[Path]:
-    """The Python files that a solution imports from its folder or names in a text (`module("cart/judge_cart.py")`), and those that
-    these do; none where it is not Python."""
+def files_beside(solution: Path, source: bytes, scenes: Sequence[Path] = ()) -> list[Path]:
+    """The Python files that a solution imports from its folder or names in a text (`module("cart/judge_cart.py")`), the ready-made
+    scenes in the folders `scenes` that it names (`simulate("cradle")`), and those that these do; none where it is not Python."""
+    there = [{path.stem: path for path in folder.glob("*.py")} for folder in scenes]
     found: dict[Path, None] = {}
     todo = [(solution.parent, source)]
     while todo:
         folder, text = todo.pop()
         for name in _names(text):
-            places = [each / name for each in (folder, solution.parent)]
-            path = next((each for each in places if each.is_file()), solution)
+            if name.endswith(".py"):
+                places = [each / name for each in (folder, solution.parent)]
+                path = next((each for each in places if each.is_file()), solution)
+            else:
+                path = next((each[name] for each in there if name in each), solution)
             if path not in found and path != solution:
                 found[path] = None
                 todo.append((path.parent, path.read_bytes()))
@@ -146,7 +150,7 @@ def files_beside(solution: Path, source: bytes) -> list[Path]:
 
 
 def _names(source: bytes) -> Iterator[str]:
-    """Files that a program imports, if they are there, or names."""
+    """Files that a program imports, if they are there, or names; and words that may be a scene's name."""
     try:
         tree = ast.parse(source)
     except (SyntaxError, ValueError):
@@ -158,7 +162,7 @@ def _names(source: bytes) -> Iterator[str]:
             case ast.ImportFrom(module=str(module), level=0):
                 yield f"{module.partition('.')[0]}.py"
             case ast.Constant(value=str(text)) if (
-                text.endswith(".py") and len(text) <= LONGEST and text.isprintable()
+                (text.endswith(".py") or text.isidentifier()) and len(text) <= LONGEST and text.isprintable()
             ):
                 yield text
             case _:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import sys
 from numbers import Number
 from typing import Any
 
@@ -58,8 +59,9 @@ class _Comparisons(ast.NodeTransformer):
 
 
 def _refuse(left: Any, right: Any, sign: str, word: str) -> None:
-    import sympy  # only here: a solution without a formula needs none
-
+    sympy = sys.modules.get("sympy")
+    if sympy is None:  # without it there is no formula
+        return
     formulas = [each for each in (left, right) if isinstance(each, sympy.Expr)]
     others = [each for each in (left, right) if not isinstance(each, sympy.Expr)]
     if any(each.free_symbols for each in formulas) and all(isinstance(each, Number) for each in others):

@@ -8,8 +8,9 @@ import re
 import sys
 import traceback
 from collections.abc import Callable, Generator, Mapping
-from contextlib import contextmanager, redirect_stdout
+from contextlib import contextmanager, redirect_stdout, suppress
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 from pkgutil import iter_modules
 from types import ModuleType
@@ -24,7 +25,7 @@ from corollary.derive.signs import symbol_of
 from corollary.derive.statements import SOLUTION
 from corollary.derive.time_limit import TooLong, keyboard, no_way_out, time_limit
 from corollary.guard import Overtime, failure_of
-from corollary.problem.bank import Bank, chapter_bank
+from corollary.problem.bank import Bank, UnknownCode, chapter_bank
 from corollary.problem.problem import Problem
 
 AUTHOR_S, AUTHOR_WALL_S = 10.0, 30.0
@@ -49,9 +50,10 @@ class NotDerivable(Exception):
 @dataclass(frozen=True, slots=True)
 class Loaded:
     """What a solution file says: the derivation (of its first case), the line where derive begins, what to simulate, and what
-    letters stand for, where it says so."""
+    letters stand for, where it says so. `bank` is the one whose ready-made scenes it names."""
 
     path: Path
+    bank: Bank
     derivation: Derivation
     line: int
     scene: Callable[..., Any] | None
@@ -71,7 +73,7 @@ def load(bank: Bank, problem: Problem) -> Loaded:
             path, 0, f"is missing; {problem.path.name} needs a solution there, with a function derive(…)"
         )
     with importable(path.parent), time_limit(AUTHOR_S, AUTHOR_WALL_S), redirect_stdout(sys.stderr):
-        return _loaded(problem, path)
+        return _loaded(problem, path, bank.home_of(problem.path))
 
 
 @contextmanager
@@ -108,7 +110,7 @@ def called_later(
         yield
 
 
-def _loaded(problem: Problem, path: Path) -> Loaded:
+def _loaded(problem: Problem, path: Path, bank: Bank) -> Loaded:
     module = _module(path)
     derive = getattr(module, "derive", None)
     if not inspect.isfunction(derive):
@@ -132,7 +134,7 @@ def _loaded(problem: Problem, path: Path) -> Loaded:
         raise NotDerivable(path, line, "derive must return derivation(…)")
     scene = getattr(module, "scene", None)
     scene = scene if inspect.isfunction(scene) else None
-    return Loaded(path, stated[0].derivation, line, scene, stated, meanings)
+    return Loaded(path, bank, stated[0].derivation, line, scene, stated, meanings)
 
 
 def source(bank: Bank, problem: Problem) -> bytes:
@@ -141,13 +143,23 @@ def source(bank: Bank, problem: Problem) -> bytes:
 
 
 def sources(bank: Bank, problem: Problem) -> dict[Path, bytes]:
-    """The texts of a solution and of the files beside it that it imports or names, its own first. Raises NotDerivable."""
+    """The texts of a solution and of the files beside it that it imports or names, its own first, and of the ready-made scenes that
+    these name. Raises NotDerivable."""
     path = bank.solution(problem)
     try:
-        own = path.read_bytes()
-        return {path: own} | {each: each.read_bytes() for each in files_beside(path, own)}
+        own, scenes = path.read_bytes(), scene_folders(bank.home_of(problem.path))
+        return {path: own} | {each: each.read_bytes() for each in files_beside(path, own, scenes)}
     except OSError as error:
         raise NotDerivable(path, 0, f"cannot be read: {error.strerror}") from None
+
+
+@cache
+def scene_folders(bank: Bank | None) -> tuple[Path, ...]:
+    """Where the ready-made scenes of a bank lie, and after them the chapter's."""
+    banks = () if bank is None else bank.each
+    with suppress(UnknownCode):  # where the chapter's bank is missing, a bank has its own
+        banks = (*banks, chapter_bank())
+    return tuple(dict.fromkeys(each.scenes for each in banks))
 
 
 def place_in(error: BaseException, path: Path) -> tuple[Path, int]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from corollary.derive.load import AUTHOR_S, AUTHOR_WALL_S, Loaded, NotDerivable, authors_code, load
 from corollary.derive.time_limit import time_limit
@@ -23,7 +23,7 @@ class Simulation:
 
     `expect` has what `Observable` names; a `trajectory` is where the bodies are at the end. `neglected` bounds what the algebra leaves
     out, relative to each expected value; `line` is where the solution asks for it. One that is `animated` is the motion of the exercise, and
-    is played beside it. Raises TypeError for settings of a composed scene.
+    is played beside it. A ready-made scene is one of the `bank`, or of the chapter's. Raises TypeError for settings of a composed scene.
     """
 
     scene: str | Scene
@@ -32,6 +32,7 @@ class Simulation:
     neglected: float
     line: int
     animated: bool = False
+    bank: Bank | None = None
 
     def __post_init__(self) -> None:
         if self.settings and isinstance(self.scene, Scene):
@@ -71,4 +72,4 @@ def simulations_of(
         wanted = list(loaded.scene(**variant.si, answer=answers, **bounds))
     if not all(isinstance(each, Simulation) for each in wanted):
         raise NotDerivable(loaded.path, line, "scene must return a list of simulate(…)")
-    return wanted
+    return [replace(each, bank=loaded.bank) for each in wanted]

@@ -42,8 +42,9 @@ class ClosedForms:
 
 @dataclass(frozen=True, slots=True)
 class SceneOutcome:
-    """Unknowns as the outcome of a scene; the settings are formulas of givens and earlier unknowns.
+    """Unknowns as the outcome of a ready-made scene; the settings are formulas of givens and earlier unknowns.
 
+    The scene is one of the bank in the folder `bank`, or of the chapter's.
     `runs` are what runs gave, by the values of the settings, for where no scene can be run (None: they are not kept).
     """
 
@@ -51,6 +52,7 @@ class SceneOutcome:
     settings: Mapping[str, Expr]
     observe: str
     runs: dict[tuple[float, ...], tuple[float, ...]] | None = None
+    bank: str = ""
 
 
 Rule = ClosedForms | SceneOutcome

@@ -55,7 +55,7 @@ from corollary.derive.statements import (
 from corollary.formula.ast import Relation
 from corollary.formula.from_sympy import tree
 from corollary.laws.law import Law, substitute
-from corollary.problem.bank import Bank
+from corollary.problem.bank import Bank, bank_of
 from corollary.problem.problem import Problem
 
 
@@ -255,11 +255,14 @@ class Solver:
         )
 
     def simulated(self, entry: Simulated) -> Unknown:
-        from corollary.scenes.catalogue import SCENES  # only here: it brings every scene, and most need none
+        from corollary.derive.ready_scenes import ready_scenes  # only here: most need none
 
-        if entry.scene not in SCENES:
-            raise NoRoot(f"there is no scene {entry.scene}; there are {', '.join(SCENES)}")
-        if strange := entry.settings.keys() - {setting.name for setting in SCENES[entry.scene].settings}:
+        bank = bank_of(self.problem)
+        scenes = ready_scenes(bank)
+        if entry.scene not in scenes:
+            raise NoRoot(f"there is no scene {entry.scene}; there are {', '.join(scenes)}")
+        known = scenes[entry.scene].settings
+        if strange := entry.settings.keys() - {setting.name for setting in known}:
             raise NoRoot(f"scene {entry.scene} has no setting {', '.join(sorted(strange))}")
         settings = {name: tree(value) for name, value in entry.settings.items()}
         mistakes = tuple(self.wrong(entry, mistake, True) for mistake in entry.mistakes)
@@ -269,7 +272,7 @@ class Solver:
             statement=entry.statement,
             names=_names(entry.unknowns),
             laws=(),
-            local=SceneOutcome(entry.scene, settings, entry.observe),
+            local=SceneOutcome(entry.scene, settings, entry.observe, bank=str(bank.folder)),
             in_givens=None,
             routes=(),
             mistakes=mistakes,

@@ -237,7 +237,7 @@ def answer(solution: Solution, find: Unknown, variant: Variant, before: Sequence
         )
     known = variant.exact | named(solution, [each.values for each in before])
     match find.local:
-        case SceneOutcome(scene, settings, observe):
+        case SceneOutcome(scene, settings, observe, bank=bank):
             unrounded = {
                 name: evaluate(tree, variant.exact, BITS)
                 for earlier, _ in zip(solution.unknowns, before, strict=False)
@@ -245,25 +245,25 @@ def answer(solution: Solution, find: Unknown, variant: Variant, before: Sequence
             }
             letters = dict[str, RationalPi | Ball](known) | unrounded
             at = {name: evaluate(tree, letters, BITS) for name, tree in settings.items()}
-            return simulated_at(scene, at, observe)
+            return simulated_at(scene, at, observe, bank)
         case rule:
             return propagated(rule, known, solution, before)
 
 
-def simulated_at(scene: str, exact: Mapping[str, Ball], observe: str) -> Answered:
+def simulated_at(scene: str, exact: Mapping[str, Ball], observe: str, bank: str) -> Answered:
     """What a scene gives, and how far it may be off: the run's own error, and what the rounding of its settings to doubles changes.
 
     The second is the difference to a run whose settings are moved further: a proven bound only where nothing is rounded.
     """
     at = {name: finite_double(ball) for name, ball in exact.items()}
-    seen = simulated(scene, tuple(at.items()), observe)
+    seen = simulated(scene, tuple(at.items()), observe, bank)
     with precision_of(BITS):
         rounded = {name: float((ball - Ball(at[name])).mid()) for name, ball in exact.items()}
     if not any(rounded.values()):
         return Answered(seen.values, False, seen.errors, seen.bound)
     moved = tuple((name, value + MAGNIFIED * rounded[name]) for name, value in at.items())
     try:
-        other = simulated(scene, moved, observe).values
+        other = simulated(scene, moved, observe, bank).values
     except Undefined:
         other = ()
     if len(other) != len(seen.values):

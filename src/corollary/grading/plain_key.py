@@ -123,4 +123,4 @@ def _law(law: AppliedLaw) -> AppliedLaw:
 
 
 def _recording(rule: Rule) -> Rule:
-    return replace(rule, runs={}) if isinstance(rule, SceneOutcome) else rule
+    return replace(rule, runs={}, bank="") if isinstance(rule, SceneOutcome) else rule

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from pathlib import Path
 
 from corollary.answers.evaluation import BITS, Letters, ball_of, balls, number, numbers
 from corollary.answers.expected import Values
@@ -95,19 +96,19 @@ def compute(rule: Rule, values: Letters) -> Values:
     match rule:
         case ClosedForms(trees):
             return tuple(number(tree, values) for tree in trees)
-        case SceneOutcome(scene, settings, observe, runs):
+        case SceneOutcome(scene, settings, observe, runs, bank):
             at = tuple(number(tree, values) for tree in settings.values())
             if runs is None:
-                return observed(scene, tuple(zip(settings, at, strict=True)), observe)
+                return observed(scene, tuple(zip(settings, at, strict=True)), observe, bank)
             if at not in runs:
-                runs[at] = observed(scene, tuple(zip(settings, at, strict=True)), observe)
+                runs[at] = observed(scene, tuple(zip(settings, at, strict=True)), observe, bank)
             return runs[at]
 
 
 @lru_cache(maxsize=4096)
-def observed(scene: str, settings: tuple[tuple[str, float], ...], observe: str) -> Values:
+def observed(scene: str, settings: tuple[tuple[str, float], ...], observe: str, bank: str) -> Values:
     """One observed value of a run, as a tuple. Raises Undefined when the scene refuses."""
-    return simulated(scene, settings, observe).values
+    return simulated(scene, settings, observe, bank).values
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,16 +121,17 @@ class SceneValue:
 
 
 @lru_cache(maxsize=4096)
-def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str) -> SceneValue:
-    """The observed value, and the error that the run states for it. Raises Undefined when the scene refuses."""
+def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str, bank: str) -> SceneValue:
+    """The observed value, and the error that the run states for it; `bank` is the folder of the bank whose scene it is.
+
+    Raises Undefined when the scene refuses, NotDerivable for a fault of its code.
+    """
     try:
-        from corollary.scenes.catalogue import (
-            run,
-        )  # only here: it brings every scene, and most answers need none
+        from corollary.derive.ready_scenes import run  # only here: most answers need none
     except ModuleNotFoundError:  # in a browser
         raise Undefined("there are no scenes here") from None
     try:
-        outcome = run(scene, dict(settings), tolerance=1e-12)
+        outcome = run(scene, dict(settings), tolerance=1e-12, bank=Path(bank) if bank else None)
     except (BadSetting, GuardFailed) as error:
         raise Undefined(str(error)) from None
     if observe not in outcome.measured:
@@ -139,6 +141,15 @@ def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str)
         )
     seen = outcome.measured[observe]
     return SceneValue(components(seen.value), components(seen.error), seen.error_is == "bound")
+
+
+def forget_scenes() -> None:
+    """Load ready-made scenes anew and play them again when they are next asked for: their files may have changed."""
+    from corollary.derive.ready_scenes import forget  # only here, as above
+
+    forget()
+    for cached in (simulated, observed):
+        cached.cache_clear()
 
 
 @once

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from corollary.derive.ready_scenes import film_of
 from corollary.derive.simulation import Seen, simulations
 from corollary.grading.key import Key
 from corollary.grading.neglect import neglected_in
 from corollary.problem.bank import Bank
 from corollary.scenes.film import Film
-from corollary.scenes.films import film_of
 from corollary.scenes.run import BadSetting, GuardFailed
 
 
@@ -23,6 +23,6 @@ def motion(bank: Bank, key: Key) -> Film | None:
     try:
         wanted = simulations(bank, key.variant, answers, neglected_in(key))
         first = next((each for each in wanted if each.animated), None)
-        return film_of(first.scene, first.settings) if first else None
+        return film_of(first.scene, first.settings, first.bank) if first else None
     except (BadSetting, GuardFailed):
         return None

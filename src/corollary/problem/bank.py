@@ -49,6 +49,11 @@ class Bank:
         return self.problems / "sets"
 
     @property
+    def scenes(self) -> Path:
+        """Where ready-made scenes lie."""
+        return self.folder / "solutions" / "scenes"
+
+    @property
     def place(self) -> str:
         """What `open_bank` opens it by."""
         return os.pathsep.join(str(bank.folder.resolve()) for bank in self.each)
@@ -70,10 +75,15 @@ class Bank:
 
     def solution_beside(self, path: Path) -> Path:
         """Where the solution of the problem in a file must lie; a set may take problems of other banks than this."""
+        home = self.home_of(path)
+        return (home.folder / "solutions" / path.relative_to(home.problems)).with_suffix(".py")
+
+    def home_of(self, path: Path) -> Bank:
+        """The one bank in which the file of a problem lies. Raises UnknownCode."""
         home = next((bank for bank in self.each if bank.problems in path.parents), None)
         if home is None:  # not `or`: a bank's truth is that of its length, for which every file is looked for
             home = _bank_above(path)
-        return (home.folder / "solutions" / path.relative_to(home.problems)).with_suffix(".py")
+        return home
 
 
 def chapter_bank() -> Bank:

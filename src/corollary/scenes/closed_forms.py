@@ -13,9 +13,8 @@ from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
-from corollary.scenes.library import atom
-from corollary.scenes.library.spheres import collided
-from corollary.scenes.models.central import orbit
+from corollary.scenes.integrate.single_contact import collided
+from corollary.scenes.models.central import in_well, orbit
 from corollary.scenes.models.certain import Balls, Evaluated, found, sign
 from corollary.scenes.models.pair import Pair, refuse_too_soft
 from corollary.scenes.models.two_bodies import collision
@@ -161,7 +160,7 @@ def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -
         case _:
             return None
     (x, y), (u, v) = (*body.place, 0.0)[:2], (*body.velocity, 0.0)[:2]
-    played = found(lambda: atom.motion(well, body.mass, (x, y), (u, v), scene.axes == 2))
+    played = found(lambda: in_well(well, body.mass, (x, y), (u, v), scene.axes == 2))
     until = math.inf if scene.until is None else scene.until
     match played.outcome:
         case "bound":

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
-from corollary.scenes.catalogue import SCENES, run
-from corollary.scenes.progress import part, with_bar
+from corollary.scenes.definition import Setting, Settings
+from corollary.scenes.progress import part
 from corollary.scenes.run import ILL, BadSetting, GuardFailed, Observed, Run, components
 
 MOVED = 1e-7  # as a share of a setting: small, and still far above what rounding does to values
@@ -19,24 +19,15 @@ APART = 0.618  # the golden ratio: its multiples leave parts of one that are all
 DIGITS = 15.95  # of a double
 
 
-def play(name: str, settings: Mapping[str, object], tolerance: float = 1e-12) -> Run:
-    """A ready-made scene as `run` plays it, and its conditions; who waits for it at a terminal sees a bar. Raises as `run` does."""
-    with with_bar(f"scene {name}"):
-        with part(0.0, 0.5):
-            found = run(name, settings, tolerance)
-        with part(0.5, 1.0):
-            return with_conditions(found, tolerance)
-
-
-def with_conditions(found: Run, tolerance: float) -> Run:
-    """The same run; each value with its condition, and warnings where it is large or another outcome is near.
+def with_conditions(found: Run, settings: Sequence[Setting], again: Callable[[Settings], Run]) -> Run:
+    """The same run of a scene with these settings, which runs `again` with others; each value with its condition, and warnings where it is large or another outcome is near.
 
     The condition of a value is the largest of its relative changes over the change of one setting: with settings rounded to sixteen
     digits, so many of the value's are lost as it has.
     """
     most: dict[str, float] = {}
     warnings: list[str] = []
-    for name, other in _moved(found, tolerance):
+    for name, other in _moved(found, settings, again):
         if other.outcome != found.outcome:
             warnings.append(
                 f"{name} lies at an edge: changed by {MOVED:g} of itself it makes {other.outcome!r} of {found.outcome!r}."
@@ -58,17 +49,15 @@ def with_conditions(found: Run, tolerance: float) -> Run:
     return replace(found, measured=measured, warnings=(*found.warnings, *warnings))
 
 
-def _moved(found: Run, tolerance: float) -> Iterator[tuple[str, Run]]:
+def _moved(
+    found: Run, settings: Sequence[Setting], again: Callable[[Settings], Run]
+) -> Iterator[tuple[str, Run]]:
     """Runs with settings moved, each for itself or all at once: where that is refused or makes another outcome, one half and the other.
 
     Downward, so that a coefficient of restitution of one stays below its end, and upward where that is refused. What is moved at once,
     settings or the numbers of one, goes each by a part of its own, for ratios are to change, too.
     """
-    names = [
-        each.name
-        for each in SCENES[found.scene].settings
-        if not each.whole and any(components(found.settings[each.name]))
-    ]
+    names = [each.name for each in settings if not each.whole and any(components(found.settings[each.name]))]
     at_once = found.evaluations * len(names) > DEAR
     parts = {name: _part(i) if at_once else 1.0 for i, name in enumerate(names)}
     groups = [names] if at_once else [[name] for name in names]
@@ -79,7 +68,7 @@ def _moved(found: Run, tolerance: float) -> Iterator[tuple[str, Run]]:
             begin, reached = reached, 0.5 * (reached + (done + len(group)) / len(names))
             moved = {name: _changed(found.settings[name], way * parts[name]) for name in group}
             with suppress(BadSetting, GuardFailed), part(begin, reached):
-                other = run(found.scene, {**found.settings, **moved}, tolerance)
+                other = again({**found.settings, **moved})
                 break
         if len(group) > 1 and (other is None or other.outcome != found.outcome):
             half = (len(group) + 1) // 2

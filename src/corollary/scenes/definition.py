@@ -6,11 +6,14 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from numbers import Real
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from corollary.messages import did_you_mean
 from corollary.scenes.run import BadSetting, Observed, Run
 from corollary.scenes.validation import short_text
+
+if TYPE_CHECKING:
+    from corollary.scenes.film import Film
 
 Settings = Mapping[str, Observed]
 """By name, in SI."""
@@ -56,11 +59,17 @@ class Setting:
 
 @dataclass(frozen=True, slots=True)
 class SceneDefinition:
-    """`meaning` is one line for a list of scenes; `play` takes all settings and a tolerance relative to the scene's natural scale."""
+    """`meaning` is one line for a list of scenes; `play` takes all settings and a tolerance relative to the scene's natural scale.
+
+    `second_way` plays it by formulas that it does not share with `play`, and gives none where there is no such way for these settings;
+    `film` pictures the motion, and gives none where nothing moves.
+    """
 
     meaning: str
     settings: tuple[Setting, ...]
     play: Callable[[Settings, float], Run]
+    second_way: Callable[[Settings, float], Run | None] | None = None
+    film: Callable[[Settings], Film | None] | None = None
 
 
 def settle(scene: str, known: Iterable[Setting], given: Mapping[str, object]) -> dict[str, Observed]:

@@ -15,6 +15,7 @@ FRAMES = 60  # of an act, besides the moments at which something happens
 WALL = 1e6  # a body so many times as heavy as the lightest is a wall to the eye, and would drown the others in every total
 TOLERANCE = 1e-8
 AT_ONCE = 1e-13  # of an act
+AGAIN = 1.1  # how much longer the time after a hit is watched than the time before
 NAIL = "nail"
 BLOCK = "block"
 

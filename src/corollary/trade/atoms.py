@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from corollary.scenes.catalogue import run
+from corollary.derive.ready_scenes import run
 from corollary.trade.raced_scene import ONCE, MethodAnswer, MethodRoute, RacedScene, State, StepProgram
 from corollary.trade.references import ATOM_BOUND, ATOM_ESCAPING
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from corollary.scenes.catalogue import run
+from corollary.derive.ready_scenes import run
 from corollary.scenes.models.two_bodies import contact_time
 from corollary.trade.raced_scene import ONCE, MethodAnswer, MethodRoute, RacedScene, State, StepProgram
 from corollary.trade.references import BALL

@@ -7,7 +7,7 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from corollary.scenes.catalogue import run
+from corollary.derive.ready_scenes import run
 from corollary.scenes.run import GuardFailed
 from corollary.trade import atoms, colliding_spheres, cradles, falling_ball, methods, solvers
 from corollary.trade.raced_scene import Knob, MethodRoute, RacedScene, error_of

@@ -12,6 +12,7 @@ from itertools import combinations
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Right, word
 from corollary.derive.load import Loaded
+from corollary.derive.ready_scenes import run
 from corollary.derive.simulation import Seen, Simulation, simulations_of
 from corollary.derive.solution import Solution
 from corollary.formula.numerals import decimal_text
@@ -25,7 +26,6 @@ from corollary.problem.bank import Bank
 from corollary.problem.given import Given
 from corollary.problem.sampling import sample
 from corollary.problem.variant import Variant, chapter, first_broken, number, size
-from corollary.scenes.catalogue import run
 from corollary.scenes.plan import followed
 from corollary.scenes.run import BadSetting, GuardFailed, Run, components
 from corollary.units.unit import show
@@ -249,7 +249,7 @@ def check_scene(wanted: Simulation, about: str, tally: Tally) -> Run | None:
     """One scene, run and held against what it must show; None where it cannot be run."""
     try:
         found = (
-            run(wanted.scene, wanted.settings, tolerance=1e-10, second_way=True)
+            run(wanted.scene, wanted.settings, tolerance=1e-10, second_way=True, bank=wanted.bank)
             if isinstance(wanted.scene, str)
             else followed(wanted.scene, wanted.expect.keys(), tolerance=1e-10)
         )

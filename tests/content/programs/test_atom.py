@@ -6,9 +6,9 @@ import random
 import pytest
 from tests.judges import judges
 
+from corollary.derive.ready_scenes import run
 from corollary.derive.statements import Fault
 from corollary.grading.programs.convergence import Called
-from corollary.scenes.catalogue import run
 
 from .conftest import RIGHT, euler_cromer, forward_euler, in_well
 

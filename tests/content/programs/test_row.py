@@ -7,10 +7,10 @@ import pytest
 from scipy.integrate import solve_ivp
 from tests.judges import judges
 
+from corollary.derive.ready_scenes import run
 from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.convergence import OWN_STEPS, STEPS, Called
 from corollary.programs import contact_time
-from corollary.scenes.catalogue import run
 
 from .conftest import RIGHT, forward_euler, row
 

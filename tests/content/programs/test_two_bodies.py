@@ -8,9 +8,9 @@ import pytest
 from scipy.integrate import solve_ivp
 from tests.judges import judges
 
+from corollary.derive.ready_scenes import run
 from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.convergence import Called
-from corollary.scenes.catalogue import run
 
 from .conftest import RIGHT, euler_cromer, forward_euler, two
 

@@ -5,8 +5,8 @@ from functools import partial
 
 import pytest
 
+from corollary.derive.ready_scenes import run
 from corollary.scenes import collision
-from corollary.scenes.catalogue import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import both_ways, regularised, single_contact
 from corollary.scenes.models.pair import Pair, meet

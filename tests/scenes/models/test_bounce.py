@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from corollary.scenes.catalogue import run
+from corollary.derive.ready_scenes import run
 from corollary.scenes.models.two_bodies import contact_time, largest_overlap
 
 sizes = st.floats(1e-6, 1e6)

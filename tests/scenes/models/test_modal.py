@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from corollary.scenes.catalogue import run
+from corollary.derive.ready_scenes import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.modal import collide
 from corollary.scenes.row import RowOfBodies, conserved

@@ -5,7 +5,7 @@ import math
 import mpmath as mp
 import pytest
 
-from corollary.scenes.catalogue import run
+from corollary.derive.ready_scenes import run
 
 REACH = 0.04
 CASES = [

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from corollary.scenes.catalogue import run
+from corollary.derive.ready_scenes import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.wall import HardWall

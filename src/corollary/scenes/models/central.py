@@ -6,9 +6,12 @@ from dataclasses import dataclass
 
 from flint import acb, arb
 
+from corollary.formula.ball import Ball
 from corollary.formula.functions import ball_root
 from corollary.scenes.forces.well import Well
-from corollary.scenes.models.certain import integral, root, sign
+from corollary.scenes.models.certain import Balls, Evaluated, integral, root, sign
+
+GONE = "it starts at the edge on its way out: nothing acts beyond"
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,3 +133,87 @@ def _turns(well: Well, m: arb, spin: arb, r: arb, near: arb, far: arb) -> tuple[
             return r, root(left, r, far)
         case _:
             return root(left, near, r), r
+
+
+def in_well(
+    well: Well, mass: float, place: tuple[float, float], velocity: tuple[float, float], plane: bool
+) -> Evaluated:
+    """A body in a truncated harmonic well, or on its way there: bound, or with its velocity once nothing acts any more."""
+    m, (x, y), (u, v) = Ball(mass), map(Ball, place), map(Ball, velocity)
+    r = (x * x + y * y).sqrt() if place[1] else abs(x)
+    along, spin = (x * u + y * v) / r, x * v - y * u
+    at, edge = Ball.atan2(y, x), Ball(well.edge)
+    if sign(x * x + y * y - edge * edge) > 0:
+        return _into_well(well, m, r, along, spin, at, plane)
+    motion = radial(well, m, r, along, spin)
+    # On the edge and not on its way in it is gone: nothing pulls beyond.
+    if sign(x * x + y * y - edge * edge) == 0 and sign(along) >= 0:
+        return Evaluated(
+            "escaped", _straight(at, along, spin / r, plane) | {"duration": Ball(0)}, "conservation", GONE
+        )
+    leaves = sign(motion.square_of_speed(edge)) > 0 and sign(motion.high - edge) > 0
+    return _out_of_well(well, motion, r, along, at, plane, Ball(0)) if leaves else _caught(motion, plane)
+
+
+def _caught(motion: Radial, plane: bool) -> Evaluated:
+    lasted, turned = (2 * each for each in motion.swept(Ball(0), Ball.pi()))
+    values: dict[str, Balls] = {
+        "period": lasted,
+        "turning_points": (motion.low, motion.high),
+        "escapes": Ball(0),
+    }
+    if plane:
+        values["angle"] = turned
+    if sign(motion.spin) == 0:
+        why = "bound, on a line through the centre: a harmonic swing, known exactly"
+        return Evaluated("bound", values, "piecewise exact", why)
+    why = "bound in a plane: energy and angular momentum leave two integrals between the turning points"
+    return Evaluated("bound", values, "quadrature", why)
+
+
+def _out_of_well(
+    well: Well, motion: Radial, r: Ball, along: Ball, angle: Ball, plane: bool, before: Ball
+) -> Evaluated:
+    """In to the core or the turning point if it moves inward, then out over the edge; nothing acts beyond."""
+    wall, edge = Ball(well.wall), Ball(well.edge)
+    nearest = wall if sign(motion.low - wall) < 0 else motion.low
+    begin, core, rim = motion.phase(r), motion.phase(nearest), motion.phase(edge)
+    inward = sign(along) < 0
+    legs = [motion.swept(core if inward else begin, rim)]
+    if inward and sign(r - nearest) > 0:  # else it turns at once
+        legs.insert(0, motion.swept(core, begin))
+    time, turned = before, angle
+    for lasted, swept in legs:
+        time, turned = time + lasted, turned + swept
+    outward, across = motion.square_of_speed(edge).sqrt(), motion.spin / edge
+    c, s = turned.cos(), turned.sin()
+    values: dict[str, Balls] = {
+        "velocities": (outward * c - across * s, outward * s + across * c) if plane else (outward,),
+        "turning_points": (nearest,) if inward else (),
+        "duration": time,
+        "escapes": Ball(1),
+    }
+    why = "it has the energy to leave: integrals of the energy give when and where, a straight line the rest"
+    return Evaluated("escaped", values, "quadrature", why)
+
+
+def _into_well(well: Well, m: Ball, r: Ball, along: Ball, spin: Ball, angle: Ball, plane: bool) -> Evaluated:
+    """A straight line until the edge of the well, if it is met at all."""
+    edge = Ball(well.edge)
+    square = along * along + (spin / r) ** 2
+    room = edge * edge * square - spin * spin
+    if sign(along) >= 0 or sign(room) <= 0:
+        return Evaluated(
+            "missed", _straight(angle, along, spin / r, plane), "conservation", "it passes outside the well"
+        )
+    inward, way = room.sqrt() / edge, (r - edge) * (r + edge)
+    after = way / (room.sqrt() - r * along)
+    entered = angle + Ball.atan2(spin / r * after, r + along * after)
+    return _out_of_well(well, radial(well, m, edge, -inward, spin), edge, -inward, entered, plane, after)
+
+
+def _straight(angle: Ball, along: Ball, across: Ball, plane: bool) -> dict[str, Balls]:
+    """What is seen of an atom on which nothing acts any more."""
+    c, s = angle.cos(), angle.sin()
+    velocities = (along * c - across * s, along * s + across * c) if plane else (along,)
+    return {"velocities": velocities, "turning_points": (), "escapes": Ball(1)}

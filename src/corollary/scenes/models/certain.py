@@ -7,13 +7,16 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from flint import acb, arb, ctx
 
 from corollary.formula.ball import MOST_BITS, precision_of
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.run import GuardFailed, Measurement, Model, Observed, Outcome, Run
+
+if TYPE_CHECKING:
+    from corollary.scenes.film import Film
 
 Balls = arb | tuple[arb, ...]
 ComplexBall = acb
@@ -76,7 +79,11 @@ def found(compute: Callable[[], Evaluated]) -> Run:
 
 
 def by_formulas(
-    meaning: str, settings: tuple[Setting, ...], evaluated: Callable[..., Evaluated]
+    meaning: str,
+    settings: tuple[Setting, ...],
+    evaluated: Callable[..., Evaluated],
+    second_way: Callable[[Settings, float], Run | None] | None = None,
+    film: Callable[[Settings], Film | None] | None = None,
 ) -> SceneDefinition:
     """A ready scene whose values are formulas: `evaluated` takes its settings (single numbers, exact balls) in their order.
 
@@ -87,7 +94,7 @@ def by_formulas(
         exact = balls(given, *(setting.name for setting in settings))
         return found(lambda: evaluated(*exact))
 
-    return SceneDefinition(meaning, settings, play)
+    return SceneDefinition(meaning, settings, play, second_way, film)
 
 
 def _doubled() -> Iterator[int]:

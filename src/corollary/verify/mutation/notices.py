@@ -15,6 +15,7 @@ from corollary.derive.derivation import Always, Entry, Limit, Special
 from corollary.derive.forces import sum_along
 from corollary.derive.free_body import Forces
 from corollary.derive.load import Loaded, NotDerivable
+from corollary.derive.ready_scenes import run
 from corollary.derive.roots import exchanged
 from corollary.derive.simulation import Seen, Simulation, simulations_of
 from corollary.derive.solution import ClosedForms, Solution
@@ -27,7 +28,6 @@ from corollary.grading.key import Key
 from corollary.grading.neglect import neglected_in
 from corollary.grading.replay import ancestors
 from corollary.laws.law import Law
-from corollary.scenes.catalogue import run
 from corollary.scenes.plan import followed
 from corollary.scenes.run import BadSetting, GuardFailed, Run
 from corollary.verify.expected_answers import difference, foreseen, in_order
@@ -478,7 +478,7 @@ def _contradicted(wanted: Simulation) -> bool:
     """Whether a scene shows something else, by a run that is as coarse as can be: what it shows is far beyond its errors."""
     try:
         found = (
-            run(wanted.scene, wanted.settings, tolerance=COARSE)
+            run(wanted.scene, wanted.settings, tolerance=COARSE, bank=wanted.bank)
             if isinstance(wanted.scene, str)
             else followed(wanted.scene, wanted.expect.keys(), tolerance=COARSE)
         )

@@ -1,12 +1,9 @@
 """Down a playground slide: what is missing in the energy has been the work of friction."""
 
-from math import sqrt
+from math import asin, sqrt
 
 from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import falling, law, wrong
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
-from corollary.scenes.scene import Body, Scene
 
 
 def derive(m, h, v, L, g):
@@ -64,13 +61,14 @@ def derive(m, h, v, L, g):
 
 
 def scene(m, h, v, L, g, answer):
-    """A straight slide, smooth and then as rough as it takes for the mean friction."""
+    """A straight slide, smooth and then as rough as it takes for the mean friction: the bank's own ready-made scene."""
     sine, cosine = h / L, sqrt(1 - (h / L) ** 2)
     rough = answer["c"] / (m * g * cosine)
-    runs = []
-    for mu, speed in ((0.0, answer["a"]), (rough, v)):
-        slide = HardWall((sine, cosine), restitution=0.0, mu=mu)
-        child = Body(m, (0.0, 0.0), (0.0, 0.0))
-        down = Scene((child,), (Weight(g), slide), until=2 * L / speed)
-        runs.append(simulate(down, velocities=(speed * cosine, -speed * sine)))
-    return runs
+    return [
+        simulate(
+            "slide",
+            {"m": m, "theta": asin(sine), "mu": mu, "g": g, "t": 2 * L / speed},
+            velocities=(speed * cosine, -speed * sine),
+        )
+        for mu, speed in ((0.0, answer["a"]), (rough, v))
+    ]

@@ -7,9 +7,6 @@ from sympy import sin as sine
 
 from corollary.author import along, choice, derivation, force, forces, mistake, simulate, step, unknowns
 from corollary.laws import balance, kinetic_friction, law, second_law, without_time, wrong
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
-from corollary.scenes.scene import Body, Scene
 
 
 def derive(m, theta, mu, L, g):
@@ -103,12 +100,13 @@ def derive(m, theta, mu, L, g):
 
 
 def scene(m, theta, mu, L, g, answer):
-    """Weight and a rough wall that leans; the block is followed for the time that the slide takes."""
+    """The bank's own ready-made scene, watched for the time that the slide takes."""
     v = answer["c"]
-    slope = HardWall((sin(theta), cos(theta)), restitution=0.0, mu=mu)
-    slide = Scene((Body(m, (0.0, 0.0), (0.0, 0.0)),), (Weight(g), slope), until=2 * L / v)
     return [
         simulate(
-            slide, velocities=(v * cos(theta), -v * sin(theta)), trajectory=(L * cos(theta), -L * sin(theta))
+            "slide",
+            {"m": m, "theta": theta, "mu": mu, "g": g, "t": 2 * L / v},
+            velocities=(v * cos(theta), -v * sin(theta)),
+            trajectory=(L * cos(theta), -L * sin(theta)),
         )
     ]
