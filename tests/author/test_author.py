@@ -128,7 +128,7 @@ def test_a_problem_without_a_simulation_is_solved_without_the_scenes():
     """The scenes take longer to load than the problem to solve, and so does what judges its programs."""
     done = subprocess.run([sys.executable, "-c", SOLVED], capture_output=True, text=True, check=True)
     assert "corollary.author" in done.stdout.split()
-    assert not {"corollary.scenes.catalogue", "corollary.programs", "numpy"} & set(done.stdout.split())
+    assert not {"corollary.derive.ready_scenes", "corollary.programs", "numpy"} & set(done.stdout.split())
 
 
 SOLVED = """
