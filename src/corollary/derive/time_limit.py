@@ -68,7 +68,8 @@ def time_limit(processor_s: float, wall_s: float) -> Generator[None]:
         return time.process_time() - began > processor_s or time.monotonic() - clock > wall_s
 
     sentence = f"it ran longer than {processor_s:g} s of the processor, or {wall_s:g} s on the wall"
-    with (_by_signal if _is_main_thread() and hasattr(signal, "SIGALRM") else _by_thread)(over, sentence):
+    timer = getattr(signal, "SIGALRM", None)  # Windows has none
+    with (_by_signal if _is_main_thread() and timer is not None else _by_thread)(over, sentence):
         yield
 
 
