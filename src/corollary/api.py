@@ -93,10 +93,10 @@ def play(
     *,
     tolerance: float = 1e-12,
     conditions: bool = True,
-    bank: Bank | None = None,
+    bank: Bank | str | Path | None = None,
     **settings: float | tuple[float, ...],
 ) -> Run:
-    """A ready-made scene of a bank or of the chapter's, played with the least model that answers; settings are in SI, those left out
+    """A ready-made scene of a bank (as `load_bank` finds it) or of the chapter's, played with the least model that answers; settings are in SI, those left out
     have the scene's own values.
 
     `tolerance` is relative to the scene's natural scale. Each value has its condition, and `warnings` announce a grazing hit, an edge
@@ -106,10 +106,11 @@ def play(
     from corollary.derive import ready_scenes
     from corollary.scenes.progress import with_bar
 
+    place = load_bank(bank) if isinstance(bank, (str, Path)) else bank
     if conditions:
-        return ready_scenes.play(scene, settings, tolerance, bank=bank)
+        return ready_scenes.play(scene, settings, tolerance, bank=place)
     with with_bar(f"scene {scene}"):
-        return ready_scenes.run(scene, settings, tolerance, bank=bank)
+        return ready_scenes.run(scene, settings, tolerance, bank=place)
 
 
 def variant(problem: Problem, given: Mapping[str, GivenValue]) -> Variant:

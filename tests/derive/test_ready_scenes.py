@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+import corollary
 from corollary.cli.commands import app
 from corollary.derive.load import NotDerivable, sources
 from corollary.derive.ready_scenes import definition, film_of, forget, play, ready_scenes, run
@@ -105,6 +106,21 @@ def test_a_file_that_holds_a_scene_is_one_of_its_name(tmp_path):
     assert film_of("falling_stone", {}, here) is None
 
 
+def test_from_python_a_bank_is_named_by_its_folder_too(tmp_path):
+    here = bank(tmp_path, falling_stone=STONE)
+    for place in (here, tmp_path, str(tmp_path)):
+        assert corollary.play("falling_stone", t=3.0, bank=place).observed == {"velocities": (-9.8 * 3.0,)}
+
+
+def test_an_editors_lock_and_a_folder_are_no_scenes(tmp_path):
+    here = bank(tmp_path, falling_stone=STONE)
+    (here.scenes / ".#falling_stone.py").symlink_to("someone@somewhere.1234")
+    (here.scenes / "folder.py").mkdir()
+    forget()
+    assert set(ready_scenes(here)) - set(ready_scenes()) == {"falling_stone"}
+    assert run("falling_stone", {}, bank=here).observed == {"velocities": (-19.6,)}
+
+
 def test_a_bank_has_the_chapters_scenes_too_and_its_own_before_a_namesake(tmp_path):
     here = bank(tmp_path, rocket=STONE)
     assert definition("rocket", here).meaning == "a stone falls"
@@ -184,6 +200,10 @@ def test_a_scene_of_a_bank_confirms_a_derivation_or_contradicts_it(tmp_path):
 
 @pytest.mark.parametrize("solution", [MEASURED, DERIVED])
 def test_the_scenes_that_a_solution_names_are_part_of_its_state(tmp_path, solution):
+    dashed = bank(
+        tmp_path / "dashed", solution.replace("falling_stone", "falling-stone"), **{"falling-stone": STONE}
+    )
+    assert dashed.scenes / "falling-stone.py" in sources(dashed, dashed["X1.1"])
     early = "from shared import G\n" + STONE
     here = bank(tmp_path, solution, falling_stone=early, shared="G = 9.8\n", other=STONE)
     names = {path.name for path in sources(here, here["X1.1"])}

@@ -150,7 +150,7 @@ def files_beside(solution: Path, source: bytes, scenes: Sequence[Path] = ()) -> 
 
 
 def _names(source: bytes) -> Iterator[str]:
-    """Files that a program imports, if they are there, or names; and words that may be a scene's name."""
+    """Files that a program imports, if they are there, or names; and texts that may be a scene's name."""
     try:
         tree = ast.parse(source)
     except (SyntaxError, ValueError):
@@ -161,9 +161,7 @@ def _names(source: bytes) -> Iterator[str]:
                 yield from (f"{alias.name.partition('.')[0]}.py" for alias in names)
             case ast.ImportFrom(module=str(module), level=0):
                 yield f"{module.partition('.')[0]}.py"
-            case ast.Constant(value=str(text)) if (
-                (text.endswith(".py") or text.isidentifier()) and len(text) <= LONGEST and text.isprintable()
-            ):
+            case ast.Constant(value=str(text)) if len(text) <= LONGEST and text.isprintable():
                 yield text
             case _:
                 pass

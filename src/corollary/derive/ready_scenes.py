@@ -60,7 +60,7 @@ class ReadyScenes(Mapping[str, SceneDefinition]):
             path.stem: path
             for folder in reversed(folders)
             for path in folder.glob("*.py")
-            if HOLDS_A_SCENE.search(path.read_bytes())
+            if _holds_a_scene(path)
         }
         self._loaded: dict[str, ReadyScene] = {}
 
@@ -97,6 +97,13 @@ def _in_folders(folders: tuple[Path, ...]) -> ReadyScenes:
 def forget() -> None:
     """Load scenes anew when they are next asked for: their files may have changed."""
     _in_folders.cache_clear()
+
+
+def _holds_a_scene(path: Path) -> bool:
+    try:
+        return HOLDS_A_SCENE.search(path.read_bytes()) is not None
+    except OSError:  # an editor's lock is a link that leads nowhere
+        return False
 
 
 def _loaded(path: Path) -> ReadyScene:
