@@ -10,9 +10,11 @@ from hypothesis import strategies as st
 
 from corollary.answers.answer import Numbers, Unclear
 from corollary.answers.bound import extreme_asked
+from corollary.answers.proof.steps import steps_of
 from corollary.answers.question import Question, Symbol
 from corollary.answers.read_case import read_case
 from corollary.answers.registry import answer_type
+from corollary.formula.syntax import author_formula
 from corollary.formula.value import Text
 from corollary.units.unit import unit
 
@@ -193,3 +195,53 @@ def test_a_horsepower_of_the_continent_and_a_pound_of_force(text, asked, si, sho
 def test_letters_with_indices_side_by_side(text, names, same):
     found = read_case({"text": text, "names": names.split(), "equals": same})
     assert found["verdict"] == "equal", found
+
+
+@pytest.mark.parametrize(
+    ("text", "question", "told"),
+    [
+        ("see above", SPEED, "there is no number in this"), ("at 8.85 m/s", SPEED, "“at” in front of the number is not understood"),
+        ("(8.5", SPEED, "a bracket is never closed"),
+        ("(3, 4, 5) m/s", SPEED, "one number is asked for, not several"), ("8.5 m/s (heat)", SPEED, "“heat” beside the number may be a sign"),
+        ("(3, 4, 5, 6)", MOMENTUM, "2 components are expected, not 4; write them as (3; 4) kg m/s"), ("5", MOMENTUM, "2 components are expected, not 1"),
+        ("see above", replace(SPEED, types=("expression",)), "a formula is asked for"),
+    ],
+)  # fmt: skip
+def test_what_is_told_of_an_answer_that_is_none(text, question, told):
+    found = read(text, question)
+    assert isinstance(found, Unclear)
+    assert told in found.why
+    assert "at character 1" not in found.why
+
+
+def test_a_plain_number_is_shown_without_a_blank_behind_it():
+    assert "110 is a plain number" in read_case({"text": "110 m/m", "unit": "m/s"})["why"]
+
+
+def test_a_minus_in_words_before_a_formula():
+    assert read("minus sqrt(2*g*h)", SPEED).as_read == "-sqrt(2*g*h)"
+
+
+@pytest.mark.parametrize("letter", [*"λρσκτΛξαβγχηεωΩδϱ", "ρ_l", "λ_0", "λ'"])
+@pytest.mark.parametrize("glued", [False, True])
+def test_a_letter_of_ones_own_may_be_greek(letter, glued):
+    product = "" if glued and letter not in ("δ", "λ'") else "*"  # `δy` is a change
+    known = ["m", "L", "v0", "y", "g", "F", "mu", "R"]
+    lines = [f"{letter} = m/L", f"mu = {letter}{product}y", f"F = {letter}{product}(v0^2 + g*y)"]
+    steps = steps_of(list(enumerate(lines, 1)), known)
+    assert not isinstance(steps, Unclear), steps
+    own = steps[0].defines
+    assert own.isascii()
+    assert steps[1].relation == author_formula(f"mu = {own}*y", {*known, own})
+    assert not steps[2].undefined
+
+
+@pytest.mark.parametrize(
+    "sign", ["∴", "∵", "⇒", "⟹", "→", "=>", "->", "⇔", "↔", "➜", r"\therefore", r"\Rightarrow"]
+)
+@pytest.mark.parametrize("blank", ["", " "])
+def test_a_sign_of_consequence_may_begin_a_line(sign, blank):
+    lines = ["mu = m*y/L", f"{sign}{blank or ' ' if sign.isascii() else blank}F = mu*g"]
+    steps = steps_of(list(enumerate(lines, 1)), ["m", "L", "y", "g", "F", "mu"])
+    assert not isinstance(steps, Unclear), steps
+    assert steps[1].relation == author_formula("F = mu*g")

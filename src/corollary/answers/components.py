@@ -206,12 +206,13 @@ def _listed(inside: str, unit: str, count: int, expected: Unit | None) -> list[s
     tries = MARKS[:1] if re.search(r"[;|]", _masked(inside)) else MARKS[1:]
     splits = [_split(inside, mark) for mark in tries]
     pieces = next((pieces for pieces in splits if len(pieces) == count), None)
-    if pieces is None and ";" not in inside and any(len(each) == 2 * count for each in splits):
+    commas = re.findall(r"[0-9],[0-9]", inside)
+    if pieces is None and ";" not in inside and commas and any(len(each) == 2 * count for each in splits):
         return ambiguous(
             _("the commas can part the components or be decimal commas"), 0, "(1.5; 2.5)", "(1,5; 2,5)"
         )
     if pieces is None:
-        return refused(_("{count} components are expected", count=count), 0, _("write them as (3; 4) m/s"))
+        return _other_count(max(map(len, splits)) if re.search("[0-9]", inside) else 0, count, expected)
     behind = re.fullmatch(r"[^A-Za-z°%]*?([A-Za-z°%].*)", pieces[-1].strip())
     alone = not re.search(r"[^\W\d_]|[°º%‰]", "".join(pieces[:-1]).replace("e", ""))
     # In `(0, m*v)` what stands behind is a formula, and belongs to its own component alone.
@@ -223,6 +224,18 @@ def _listed(inside: str, unit: str, count: int, expected: Unit | None) -> list[s
         if (doubt := _of_the_last_alone(pieces, unit, expected)) is not None:
             return doubt
     return [f"{piece.strip()} {unit}".strip() for piece in pieces]
+
+
+def _other_count(given: int, count: int, expected: Unit | None) -> ParseError:
+    """What is said of as many components as are given, where others are asked for; 0 where none is told."""
+    unit = show(expected) if expected is not None else "m/s"
+    numbers = "; ".join(str(place + 3) for place in range(count))
+    why = (
+        _("{count} components are expected, not {given}", count=count, given=given)
+        if given not in (0, count)
+        else _("{count} components are expected", count=count)
+    )
+    return refused(why, None, _("write them as {example}", example=f"({numbers}) {unit}".strip()))
 
 
 def _of_the_last_alone(pieces: Sequence[str], unit: str, expected: Unit | None) -> ParseError | None:

@@ -152,7 +152,13 @@ def _remarked(
     if remark.harmless or not isinstance(answer, Numbers):
         return answer
     # The sign may be given in words: `85.3 J lost by the block and gained by the bullet`.
-    return _either(answer, remark.words) if answer.values[0] > 0 or answer.in_words else answer
+    if answer.values[0] <= 0 and not answer.in_words:
+        return answer
+    why = _(
+        "\u201c{words}\u201d beside the number may be a sign; write the number alone, with its sign",
+        words=remark.words,
+    )
+    return _two_ways(answer, remark.words, why)
 
 
 def _is_unread(answer: Answer) -> bool:
@@ -280,12 +286,16 @@ def _signed(answer: Answer, sign: int, words: str) -> Answer:
 
 
 def _either(answer: Answer, words: str) -> Answer:
+    why = _(
+        "it is not clear which sign \u201c{words}\u201d gives; write the number with its sign", words=words
+    )
+    return _two_ways(answer, words, why)
+
+
+def _two_ways(answer: Answer, words: str, why: str) -> Answer:
+    """A number that words beside it may turn, with either sign."""
     match answer:
         case Numbers((value,)) if value:
-            why = _(
-                "it is not clear which sign \u201c{words}\u201d gives; write the number with its sign",
-                words=words,
-            )
             return Unclear(why, f"{answer.as_read} {words}", (answer, replace(answer, values=(-value,))))
         case _:
             return answer

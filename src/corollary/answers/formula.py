@@ -48,6 +48,7 @@ SEVERAL = re.compile(
 )
 EQUALS = re.compile(r"[=≈]|\\(?:approx|simeq|sim)\b|\s~\s")
 GLUED_BELOW = re.compile(r"/\s*[0-9]+(?:[.,][0-9]+)?[^\W\d_]")
+MINUS = re.compile(r"\s*(?:minus|negative)\s+(?=\S)", re.IGNORECASE)
 LOGARITHM = re.compile(r"(?<![A-Za-z])log(?![A-Za-z0-9_])")
 
 
@@ -70,6 +71,8 @@ def formula_in(
     if len(text) > LONGEST:
         return parse(text, letters, lean=lean)
     sides: tuple[str, ...] = ()
+    if (minus := MINUS.match(text)) is not None and not EQUALS.search(text):
+        text = "-".rjust(minus.end()) + text[minus.end() :]
     if EQUALS.search(text):
         text, _skipped, sides = answer_in(by_hand(text).translate(TO_ASCII))
     tree = _right_side(text, letters, unit, lean)

@@ -19,6 +19,7 @@ from corollary.answers.formula import (
 from corollary.answers.machine_number import exact, machine, sure
 from corollary.answers.quantity import TABLE, Reading, read_quantity
 from corollary.answers.question import Question
+from corollary.formula.abbreviations import function_words
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.value import (
     Complex,
@@ -43,6 +44,11 @@ PLACEHOLDERS = {"", "...", "…", "?", "None"}
 FORMULA, OWN_NUMBER = re.compile(r"[*^/()·√]"), re.compile(r"^\W*[0-9]")
 INVERSE = re.compile(
     r"\\?(?P<of>sin|cos|tan|cot)\s*(?:\^\s*(?:-\s*1|[({]\s*-\s*1\s*[)}])|\*\*\s*\(-1\)|⁻¹)(?=\s*(?:\\left\s*)?[({\[])"
+)
+DIGIT, LONGEST_WITH_WORDS = re.compile(r"[0-9]"), 200
+WORDS_BEFORE = re.compile(r"\s*(?P<words>[^\W\d_]{2,}(?:\s+[^\W\d_]+)*)\s*[:,]?\s+(?=[-+−]?\s?[0-9.,])")
+SEVERAL = re.compile(
+    r"^\s*[(\[][^()\[\]]*[0-9][,;\s]+[^()\[\]]*[0-9][^()\[\]]*[)\]]|[0-9][^0-9]*(?:[;,]\s|\band\b)[^0-9]*[0-9]"
 )
 AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)?\([0-9]+\)|[0-9]+(?:[.,][0-9]+)+")
 
@@ -124,11 +130,39 @@ def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear
             )
             return Unclear(why, as_typed(text))
     if isinstance(found, ParseError):
-        if isinstance(tree, ParseError) and looks_like_one:
+        if isinstance(tree, ParseError) and looks_like_one and not _words_before(text, question):
             return Unclear(sentence(tree), as_typed(text))
         several = meanings(found, text, unit)
-        return Unclear(sentence(found), as_typed(text), several, benefit=bool(several))
+        return Unclear(_told(found, text, question), as_typed(text), several, benefit=bool(several))
     return from_reading(found, unit)
+
+
+def _told(trouble: ParseError, text: str, question: Question) -> str:
+    """What is said of a text that is no number: what a student sees in it, rather than where the reading stopped."""
+    if trouble.status != "refused":
+        return sentence(trouble)
+    if words := _words_before(text, question):
+        return _(
+            "\u201c{words}\u201d in front of the number is not understood; write one number and a unit",
+            words=words,
+        )
+    if DIGIT.search(text) is None:
+        return _("there is no number in this; write one number and a unit")
+    if text.count("(") > text.count(")"):
+        return _("a bracket is never closed")
+    if SEVERAL.search(text):
+        return _("one number is asked for, not several")
+    return sentence(trouble)
+
+
+def _words_before(text: str, question: Question) -> str:
+    """The words before a number that are neither letters of the problem nor functions; "" where there are none."""
+    found = WORDS_BEFORE.match(text)
+    if found is None or len(text) > LONGEST_WITH_WORDS:
+        return ""
+    known = function_words().keys() | set(question.symbol_names)
+    words = found["words"].split()
+    return "" if any(word in known for word in words) else found["words"]
 
 
 def meanings(trouble: ParseError, text: str, unit: Unit) -> tuple[Numbers, ...]:

@@ -472,7 +472,7 @@ def _reading(
         return refused(_("this quantity is too large or too small to be meant"))
     as_read = (
         f"{digits or decimal_text(number.value, number.figures)}{_space(unit)}{show(unit) if unit else ''}"
-    )
+    ).rstrip()
     fit, why = "fits", ""
     pure = expected is None or (expected.dimension == ONE and expected.bare)  # 1 and rad are
     zero = not number.value and not size.offset  # 0 is 0 in every unit, but for a temperature

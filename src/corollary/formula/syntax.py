@@ -78,7 +78,7 @@ def parse(
 
 def _with_indices(line: str, known: Letters) -> str | ParseError:
     """`v[0]` as v_0 and `v_A,0` as v_A0, where there is such a letter; asked about where a letter stands before a bracket with digits alone."""
-    for found in JOINED.finditer(line):
+    for found in JOINED.finditer(line) if "," in line else ():
         name = f"{found['head']}{found['index']}"
         if name.replace("_", "") in known.exact:
             line = line.replace(found[0], name.ljust(len(found[0])), 1)

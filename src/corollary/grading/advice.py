@@ -28,6 +28,7 @@ MOST_LAWS = 3
 OTHERS = (Fraction(101, 100), Fraction(9, 10), Fraction(2))
 SAME = 1e-12
 EQUATIONS = re.compile(r"[\d().,\s–-]+")  # numbers of equations; a source in words may be the formula itself
+OF_CHAPTER, CHAPTER = re.compile(r"\(12\.\d+"), "Momentum, Impulse, and Collisions"
 WITHOUT_ARTICLE = frozenset({"your", "its", "the", "a", "an", "how"})
 
 
@@ -43,7 +44,7 @@ def advice(key: Key, part: Part) -> tuple[str, ...]:
     steps = _steps(key, asked)
     laws = list(islice(_named(law for step in reversed(steps) for law in step.laws), MOST_LAWS))
     matters = _dependencies(key, asked)
-    sentences = [_("Think of: {laws}.", laws=_listed(laws))] if laws else []
+    sentences = [with_book(_("Think of: {laws}.", laws=_listed(laws)), laws)] if laws else []
     if not matters and _is_constant(key, asked):
         sentences.append(
             _("What counts here: none of the given numbers; the answer is the same for all of them.")
@@ -54,6 +55,14 @@ def advice(key: Key, part: Part) -> tuple[str, ...]:
         if quantities:
             sentences.append(_("What counts here: {quantities}.", quantities=_listed(quantities)))
     return (*sentences, *filter(None, (_check(key, part, asked, matters),)))
+
+
+def with_book(sentence: str, laws: Iterable[str]) -> str:
+    """The sentence that names laws, and the book whose equation numbers stand behind their names."""
+    if not any(OF_CHAPTER.search(law) for law in laws):
+        return sentence
+    book = _("Equation numbers are those of the chapter “{book}”.", book=CHAPTER)
+    return f"{sentence} {book}"
 
 
 def advice_for(key: Key, part: Part, wrong_before: int | None) -> str:
@@ -175,7 +184,7 @@ def _check(key: Key, part: Part, asked: Unknown, matters: Sequence[Given]) -> st
         if not going_in:
             return ""
         return _(
-            "A check: type your calculation with twice the value of `{letter}`; it must come to the same.",
+            "A check: work it out once more with another value of `{letter}`; it must come to the same.",
             letter=going_in[0].symbol,
         )
     if answer_type(part.answer_type).in_symbols:

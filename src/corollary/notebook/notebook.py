@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+import re
 from base64 import b64encode
 from collections import Counter
 from collections.abc import Iterator, Mapping
@@ -41,6 +42,10 @@ HOW_TO_ANSWER = N_(
    Give three figures; zeros at the end of a whole number count as far as two (200 is 2.0e2).
 3. Run the cell below your answer: it says how your answer is **read**, not whether it is right.
 4. Where *Your answer here.* stands, double-click and write. Then save, and hand in this one file."""
+)
+OF_CHAPTER = re.compile(r"[A-Z]+12\.")
+EQUATION_NUMBERS = N_(
+    "5. Equation numbers in your feedback, such as (12.29), are those of the chapter *Momentum, Impulse, and Collisions*."
 )
 RUN_FIRST = N_("Run the folded cell above first: Run ▸ Run All Above Selected Cell.")
 CLOSING = N_(
@@ -117,7 +122,9 @@ def _json(data: object) -> str:
 
 def _cells(sheet: Worksheet) -> Iterator[NotebookNode]:
     yield reading_cell("title", _title(sheet))
-    yield reading_cell("how_to_answer", _(HOW_TO_ANSWER))
+    of_chapter = any(OF_CHAPTER.match(exercise.problem.code) for exercise in sheet.exercises)
+    numbers = f"\n{_(EQUATION_NUMBERS)}" if of_chapter else ""
+    yield reading_cell("how_to_answer", _(HOW_TO_ANSWER) + numbers)
     yield program_cell("setup", check_source(sheet), folded=True)
     for exercise in sheet.exercises:
         yield from _exercise_cells(exercise)

@@ -30,6 +30,8 @@ from corollary.messages import catalogue
 _ = catalogue(__name__)
 
 WORD = re.compile(r"[^\W\d]\w*")
+# `see above`, `I don't know`: words with neither an operator nor a digit are no formula with a wrong letter
+OPERATOR, IN_WORDS = re.compile(r"[-+*/^=()√0-9]"), re.compile(r"[^\W\d_]{2,}\s+[^\W\d_]{2,}|[^\W\d_]{5,}")
 
 
 @final
@@ -91,7 +93,14 @@ def _tree(text: str, question: Question) -> Expr | Unclear:
         # The 2 volts of `2*V` are a letter in another case, where the exercise has a v.
         cased = {each.casefold() for each in question.symbol_names} & set(WORD.findall(text.casefold()))
         number = not cased and isinstance(read_quantity(text, question.unit), Reading)
-        why = _("this is a number; {wanted}", wanted=_wanted(question)) if number else sentence(tree)
+        words = tree.status == "refused" and OPERATOR.search(text) is None and IN_WORDS.search(text)
+        why = (
+            _("this is a number; {wanted}", wanted=_wanted(question))
+            if number
+            else _wanted(question)
+            if words
+            else sentence(tree)
+        )
         return Unclear(why, as_typed(text))
     dimension = dimension_in(tree, question)
     if isinstance(dimension, ParseError):
