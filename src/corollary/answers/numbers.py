@@ -133,11 +133,11 @@ def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear
         if isinstance(tree, ParseError) and looks_like_one and not _words_before(text, question):
             return Unclear(sentence(tree), as_typed(text))
         several = meanings(found, text, unit)
-        return Unclear(_told(found, text, question), as_typed(text), several, benefit=bool(several))
+        return Unclear(_explained(found, text, question), as_typed(text), several, benefit=bool(several))
     return from_reading(found, unit)
 
 
-def _told(trouble: ParseError, text: str, question: Question) -> str:
+def _explained(trouble: ParseError, text: str, question: Question) -> str:
     """What is said of a text that is no number: what a student sees in it, rather than where the reading stopped."""
     if trouble.status != "refused":
         return sentence(trouble)
