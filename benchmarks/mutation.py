@@ -76,7 +76,7 @@ def predictions(name: str, bank: Bank, problem: Problem) -> list[Prediction]:
 def bent(loaded: loading.Loaded, law: int, bend: int) -> loading.Loaded:
     """The derivation with one law bent wherever it stands."""
     ((own, _),) = [pair for place, pair in enumerate(scoring._laws(loaded)) if place == law]  # pyright: ignore[reportPrivateUsage]
-    other = [each for each in scoring.bends(own) if scoring.writable(each)][bend].law
+    other = [each for each in scoring.bends(own) if scoring.written(each) is not None][bend].law
     branches = exchanged(loaded.branches, own, other)
     return replace(loaded, branches=branches, derivation=branches[0].derivation)
 

@@ -324,7 +324,13 @@ def simplest(expr: sympy.Expr) -> sympy.Expr:
     """The shortest of a few equal forms; a form already short is left alone."""
     forms = [expr]
     if sympy.count_ops(expr) > 2:
-        forms += [sympy.factor(expr), sympy.factor(sympy.together(expr)), sympy.simplify(expr)]
+        forms.append(sympy.factor(expr))
+        together = sympy.together(expr)
+        if (
+            sympy.together(together) != together
+        ):  # else factoring, which begins with that, gives the same again
+            forms.append(sympy.factor(together))
+        forms.append(sympy.simplify(expr))
     if expr.has(sympy.log):
         forms = [logarithms_together(form) for form in forms]
     return min(forms, key=lambda form: (sympy.count_ops(form), len(str(form))))  # pyright: ignore[reportReturnType]

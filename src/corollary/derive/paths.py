@@ -120,6 +120,7 @@ POINTS = 4  # variants: the chapter's numbers and three more
 BENT = ((1.031, 0.983, 1.057, 0.961), (0.967, 1.021, 0.949, 1.043), (-1.1, 0.8, 1.2, 0.7))
 ALIKE = 1e-9
 FAR = 1e-6  # relative: what is so far apart is not the same
+Trees = tuple[Expr, ...]
 Signature = tuple[tuple[float, ...] | None, ...]
 
 
@@ -138,7 +139,10 @@ class Tried:
         self.solution = solution
         variants = [chapter(solution.problem), *sample(solution.problem, POINTS - 1, salt="paths")]
         self.spots = [self._spot(variant.exact) for variant in variants]
+        self.true = [spot.givens | exact(spot.found) for spot in self.spots]
         self.letters = {find.part: find.names for find in solution.unknowns if find.part}
+        self._bent: dict[tuple[tuple[str, ...], str], list[dict[str, RationalPi] | None]] = {}
+        self._signatures: dict[tuple[Trees, tuple[str, ...], str], Signature] = {}
 
     def _spot(self, givens: Mapping[str, RationalPi]) -> Spot:
         found: dict[str, float] = {}
@@ -150,8 +154,8 @@ class Tried:
 
     def agrees(self, tree: Expr, letter: str) -> bool:
         """Whether the formula gives the letter's true value at every spot."""
-        for spot in self.spots:
-            values = at((tree,), spot.givens | exact(spot.found))
+        for spot, letters in zip(self.spots, self.true, strict=True):
+            values = at((tree,), letters)
             if values is None or (letter not in spot.found and letter not in spot.givens):
                 return False
             true = spot.found.get(letter)
@@ -161,14 +165,27 @@ class Tried:
                 return False
         return True
 
-    def signature(self, trees: Collection[Expr], earlier: Collection[str], straight: str = "") -> Signature:
+    def signature(self, trees: Trees, earlier: Sequence[str], straight: str = "") -> Signature:
         """What the formulas give where the answers to `earlier` parts are bent (but for one): the same for the same function."""
-        result: list[tuple[float, ...] | None] = []
-        for spot in self.spots:
-            for turn in range(len(BENT)):
-                letters = self.bent(spot, earlier, turn, straight)
-                result.append(None if letters is None else at(trees, spot.givens | exact(letters)))
-        return tuple(result)
+        asked = trees, tuple(earlier), straight
+        if asked not in self._signatures:
+            self._signatures[asked] = tuple(
+                None if letters is None else at(trees, letters) for letters in self._all_bent(*asked[1:])
+            )
+        return self._signatures[asked]
+
+    def _all_bent(self, earlier: tuple[str, ...], straight: str) -> list[dict[str, RationalPi] | None]:
+        """The letters at every spot with every turn of the bent answers."""
+        if (earlier, straight) not in self._bent:
+            turned = [
+                (spot, self.bent(spot, earlier, turn, straight))
+                for spot in self.spots
+                for turn in range(len(BENT))
+            ]
+            self._bent[earlier, straight] = [
+                None if letters is None else spot.givens | exact(letters) for spot, letters in turned
+            ]
+        return self._bent[earlier, straight]
 
     def bent(
         self, spot: Spot, earlier: Collection[str], turn: int, straight: str = ""
@@ -203,7 +220,7 @@ class Tried:
                 return False
         return True
 
-    def needs(self, trees: Collection[Expr], earlier: Collection[str]) -> frozenset[str]:
+    def needs(self, trees: Trees, earlier: Sequence[str]) -> frozenset[str]:
         """The givens on which the formulas really depend."""
         before = self.signature(trees, earlier)
         found: set[str] = set()
@@ -240,7 +257,6 @@ def same(left: tuple[float, ...] | None, right: tuple[float, ...] | None) -> boo
     return all(abs(a - b) <= ALIKE * size for a, b in zip(left, right, strict=True))
 
 
-Trees = tuple[Expr, ...]
 NO_LETTERS: Mapping[str, Expr] = {}
 ZERO = Number(Fraction(0))
 

@@ -77,9 +77,9 @@ def ready(tree: Expr, arithmetic: Arithmetic) -> Evaluation:
             inner = ready(term, arithmetic)
             return lambda at: -inner(at)
         case Sum(terms):
-            return _joined([made(term) for term in terms], lambda a, b: a + b)
+            return _total([made(term) for term in terms])
         case Product(factors):
-            return _joined([made(factor) for factor in factors], lambda a, b: a * b)
+            return _multiplied([made(factor) for factor in factors])
         case Quotient(top, bottom):
             above, below = made(top), made(bottom)
             return lambda at: above(at) / below(at)
@@ -104,14 +104,34 @@ def ready(tree: Expr, arithmetic: Arithmetic) -> Evaluation:
             assert_never(tree)
 
 
-def _joined(parts: list[Evaluation], join: Callable[[Any, Any], Any]) -> Evaluation:
+# Two parts are written out: most sums and products have no more, and formulas are evaluated by the million. Nothing is added in
+# place: the numbers may be arrays, of which others hold the same.
+def _total(parts: list[Evaluation]) -> Evaluation:
     first, *rest = parts
+    if len(rest) == 1:
+        second = rest[0]
+        return lambda at: first(at) + second(at)
 
     def run(at: Values) -> Any:
         total = first(at)
         for part in rest:
-            total = join(total, part(at))
+            total = total + part(at)
         return total
+
+    return run
+
+
+def _multiplied(parts: list[Evaluation]) -> Evaluation:
+    first, *rest = parts
+    if len(rest) == 1:
+        second = rest[0]
+        return lambda at: first(at) * second(at)
+
+    def run(at: Values) -> Any:
+        product = first(at)
+        for part in rest:
+            product = product * part(at)
+        return product
 
     return run
 

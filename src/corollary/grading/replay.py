@@ -14,7 +14,7 @@ from corollary.answers.tolerance import ROUNDING_NOISE
 from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown, once
 from corollary.formula.ast import names
 from corollary.formula.ball import Ball, Undefined, precision_of
-from corollary.scenes.run import BadSetting, GuardFailed, components
+from corollary.scenes.run import BadSetting, GuardFailed, Run, components
 
 STABLE = 1e-3  # of a value: more than the last bits of what it is made of move it
 
@@ -126,14 +126,7 @@ def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str,
 
     Raises Undefined when the scene refuses, NotDerivable for a fault of its code.
     """
-    try:
-        from corollary.derive.ready_scenes import run  # only here: most answers need none
-    except ModuleNotFoundError:  # in a browser
-        raise Undefined("there are no scenes here") from None
-    try:
-        outcome = run(scene, dict(settings), tolerance=1e-12, bank=Path(bank) if bank else None)
-    except (BadSetting, GuardFailed) as error:
-        raise Undefined(str(error)) from None
+    outcome = _run(scene, settings, bank)
     if observe not in outcome.measured:
         raise Undefined(
             " ".join(outcome.warnings)
@@ -143,12 +136,24 @@ def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str,
     return SceneValue(components(seen.value), components(seen.error), seen.error_is == "bound")
 
 
+@lru_cache(maxsize=256)  # several finds observe one run, one after the other
+def _run(scene: str, settings: tuple[tuple[str, float], ...], bank: str) -> Run:
+    try:
+        from corollary.derive.ready_scenes import run  # only here: most answers need none
+    except ModuleNotFoundError:  # in a browser
+        raise Undefined("there are no scenes here") from None
+    try:
+        return run(scene, dict(settings), tolerance=1e-12, bank=Path(bank) if bank else None)
+    except (BadSetting, GuardFailed) as error:
+        raise Undefined(str(error)) from None
+
+
 def forget_scenes() -> None:
     """Load ready-made scenes anew and play them again when they are next asked for: their files may have changed."""
     from corollary.derive.ready_scenes import forget  # only here, as above
 
     forget()
-    for cached in (simulated, observed):
+    for cached in (simulated, observed, _run):
         cached.cache_clear()
 
 

@@ -104,6 +104,11 @@ class Force(ABC):
         return is_own(self)
 
     @property
+    def is_smooth(self) -> bool:
+        """Whether it is known beforehand to change no faster than its scene lasts: then no step is searched for it."""
+        return False
+
+    @property
     def conserves(self) -> Conserves:
         return Conserves.NOTHING
 

@@ -69,7 +69,7 @@ def overlooked(scene: Scene, stretch: Stretch, fast: float, tolerance: float, ma
     What it is at many moments is compared with the series through those at which events are looked for. Where it has no value a shorter
     step is to end before, or to find that there is no way on.
     """
-    forces = _own(scene)
+    forces = [force for force in _own(scene) if not force.is_smooth]
     looks = math.ceil(LOOKS * stretch.lasts / (scene.until or math.inf)) if forces else 0
     if looks < 2:
         return False

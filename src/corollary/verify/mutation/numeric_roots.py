@@ -8,6 +8,7 @@ import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -36,14 +37,18 @@ class NumericEquations:
         self.unknowns = tuple(unknowns)
         self.letters = frozenset[str]().union(*map(names, relations)) - {"pi"}
         self.sides: list[tuple[Evaluation, Evaluation]] = [
-            (ready(each.left, DOUBLES), ready(each.right, DOUBLES)) for each in relations
+            (_in_doubles(each.left), _in_doubles(each.right)) for each in relations
         ]
-        # what a residual is nothing beside: where one side is 0, the other's terms cancel
-        self.terms = [
-            [ready(term, DOUBLES) for side in (each.left, each.right) for term in _terms(side)]
-            for each in relations
-        ]
+        self.relations = relations
         self.angular = any(_in_a_sine(each, self.unknowns) for each in relations)
+
+    @cached_property
+    def terms(self) -> list[list[Evaluation]]:
+        """What a residual is nothing beside: where one side is 0, the other's terms cancel."""
+        return [
+            [_in_doubles(term) for side in (each.left, each.right) for term in _terms(side)]
+            for each in self.relations
+        ]
 
     def residuals(self, letters: Mapping[str, float]) -> list[float]:
         """Left minus right of each equation."""
@@ -64,6 +69,11 @@ class NumericEquations:
     def roots(self, letters: Mapping[str, float], near: Values) -> list[Values] | None:
         """The roots for these values of the other letters, sought around the true one; None where one stays free."""
         return _roots(self, dict(letters), near)
+
+
+@lru_cache(maxsize=4096)  # most laws are not the bent one
+def _in_doubles(tree: Expr) -> Evaluation:
+    return ready(tree, DOUBLES)
 
 
 def _terms(side: Expr) -> tuple[Expr, ...]:

@@ -79,20 +79,21 @@ def score(loaded: Loaded, solution: Solution, own: Key, played: Played) -> Mutat
 def _tried(loaded: Loaded, solution: Solution, checks: Sequence[Checks]) -> Iterator[BentLaw]:
     dimensions = _dimensions(solution)
     for law, line in _laws(loaded):
-        for bend in filter(writable, bends(law)):
-            here = applied(bend.law).here
+        for bend in bends(law):
+            here = written(bend)
+            if here is None:
+                continue
             laws = {id(law): Replacement(bend.law, here)}
             by = "dimensions" if _misfits(here, dimensions) else _noticed(checks, laws)
             yield BentLaw(law, line, bend, by, laws)
 
 
-def writable(bend: Bend) -> bool:
-    """Whether it is a law that an author could state: no vector to a power."""
+def written(bend: Bend) -> tuple[Relation, ...] | None:
+    """The law in the problem's letters; None for one that no author could state, as a vector to a power."""
     try:
-        applied(bend.law)
+        return applied(bend.law).here
     except (ValueError, TypeError):
-        return False
-    return True
+        return None
 
 
 def _noticed(checks: Sequence[Checks], laws: Laws) -> str:
