@@ -53,7 +53,7 @@ def second_way(settings: Settings, tolerance: float) -> Run:
     way = 10.0 * (abs(v) + abs(u) + abs(force) / m * t) * max(t, dt) + 1.0
     short = min(t, dt)
     a, b = Body(m, (0.0,), (v,)), Body(dm, (way,), (u,))
-    push = ForceFunction(0, lambda at, x, w: (force,))
+    push = ForceFunction(0, lambda at, x, w: (force,), smooth=True)
     pushed = (push,) if force else ()
     (body, drop), _, error = state_after((a, b), (catching(m, dm, dt), *pushed), short, tolerance)
     if t > short:

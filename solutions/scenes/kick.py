@@ -62,7 +62,10 @@ def second_way(settings: Settings, tolerance: float) -> Run:
     if power % 2:
         mean = math.prod(2.0 * i / (2.0 * i + 1.0) for i in range(1, power // 2 + 1)) * 2.0 / math.pi
     peak = force / mean
-    push = ForceFunction(0, lambda t, x, v: (peak * math.sin(math.pi * min(t / dt, 1.0)) ** power,))
+    # At most the eighth power of a sine, as long as the scene.
+    push = ForceFunction(
+        0, lambda t, x, v: (peak * math.sin(math.pi * min(t / dt, 1.0)) ** power,), smooth=True
+    )
     (after,), (way,), error = state_after((Body(m, (0.0,), (v0,)),), (push,), dt, tolerance)
     return second_run(
         {"velocities": (after,), "impulse": m * (after - v0), "way": way, "peak_force": abs(peak)},

@@ -57,7 +57,10 @@ def second_way(settings: Settings, tolerance: float) -> Run:
     you, son, ball, v, theta, dt = numbers(settings, "M", "Ms", "m", "v", "theta", "dt")
     along, up = ball * v * math.cos(theta) / dt, ball * v * math.sin(theta) / dt
     # The ice carries what the throw does to you vertically.
-    forces = ForceFunction(0, lambda t, x, w: (along, up)), ForceFunction(1, lambda t, x, w: (-along, 0.0))
+    forces = (
+        ForceFunction(0, lambda t, x, w: (along, up), smooth=True),
+        ForceFunction(1, lambda t, x, w: (-along, 0.0), smooth=True),
+    )
     thrower = Body(ball, (1.0, 0.0), (0.0, 0.0)), Body(you, (0.0, 0.0), (0.0, 0.0))
     (level, rising, yours, _), _, error = state_after(thrower, forces, dt, tolerance)
     a, b = Body(ball, (0.0,), (level,)), Body(son, (10.0 * v * dt + 1.0,), (0.0,))

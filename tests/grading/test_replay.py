@@ -8,13 +8,14 @@ import pytest
 
 from corollary.answers.evaluation import ball_of, balls
 from corollary.answers.verdict import Mistaken
+from corollary.derive import ready_scenes
 from corollary.derive.solution import ClosedForms, SceneOutcome
 from corollary.formula.ball import Undefined
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.key import make_key
 from corollary.grading.misconceptions import wrong_values
-from corollary.grading.replay import BY_THE_RULES, WhatIf, ancestors, exchanged, replay
+from corollary.grading.replay import BY_THE_RULES, WhatIf, ancestors, exchanged, replay, simulated
 from corollary.problem.variant import chosen
 
 from .small import solved
@@ -89,3 +90,15 @@ def test_a_tiny_value_in_which_nothing_cancels_stays_what_it_is(tmp_path):
     made = make_key(solution, chosen(solution.problem, dict[str, Fraction]()))
     found = {text: values for values, text in wrong_values(made, made.truths["b"], BY_THE_RULES)}
     assert found == {"Without c.": (0.3,), "Of the fall.": (0.0,)}
+
+
+def test_several_observed_values_of_one_scene_are_of_one_run(monkeypatch):
+    played = []
+    run = ready_scenes.run
+    monkeypatch.setattr(
+        ready_scenes, "run", lambda name, *rest, **more: played.append(name) or run(name, *rest, **more)
+    )
+    settings = (("m", 0.61), ("k", 5.3e4), ("v0", -1.37))
+    for observe in ("largest_overlap", "duration", "peak_force"):
+        simulated("ball_on_floor", settings, observe, "")
+    assert played == ["ball_on_floor"]

@@ -116,9 +116,10 @@ def rebuilt(tree: Expr, below: tuple[Expr, ...]) -> Expr:
 
 def walk(tree: Expr) -> Iterator[Expr]:
     """The tree and all below it, parents first."""
-    yield tree
-    for part in children(tree):
-        yield from walk(part)
+    left = [tree]
+    while left:
+        yield (part := left.pop())
+        left += children(part)[::-1]
 
 
 def names(tree: Expr) -> frozenset[str]:

@@ -123,6 +123,23 @@ def test_a_law_of_somebody_elses_is_searched_and_those_of_the_package_are_not():
     assert_true(played(Kick()), "velocities", IMPULSE)
 
 
+def test_a_push_known_to_be_smooth_gives_the_same_and_is_not_looked_at_thousands_of_times():
+    asked = []
+
+    def push(t, x, v):
+        asked.append(t)
+        return (3.0,)
+
+    calls, found = [], []
+    for smooth in (False, True):
+        asked.clear()
+        found.append(played(ForceFunction(0, push, smooth=smooth)))
+        calls.append(len(asked))
+        assert_true(found[-1], "velocities", 30.0)
+    assert calls[1] < LOOKS < calls[0]
+    assert found[0].observed == found[1].observed
+
+
 def rubbed(push):
     """A block that is thrown and brought to rest by a force of somebody's own."""
     return Scene((Body(1.0, (0.0,), (1e-3,)),), (ForceFunction(0, push),), until=1.0)

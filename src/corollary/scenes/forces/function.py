@@ -21,12 +21,14 @@ class ForceFunction(ForceOnOne):
     With `energy`, the potential energy (J) at a place, the force conserves energy, and a run is watched for it: where the energy is
     asked, a potential that differs from the work of the function by more than a thousandth is refused (GuardFailed), and what it
     differs by less is in the error. The function is to be smooth; where it jumps, write a `Force` with `events`.
+    Steps are searched for kicks shorter than they are, unless it is said to be `smooth`: to change no faster than the scene lasts.
     What it gives must be finite at the start, and everywhere a tuple of as many real numbers as places have: a scene refuses one that is not
     (BadSetting), and GuardFailed is raised where it is not on the way.
     """
 
     function: Field
     energy: Potential | None = None
+    smooth: bool = False
 
     def from_origin(self, origin: Sequence[float]) -> None:
         """Its places are the function's."""
@@ -57,6 +59,10 @@ class ForceFunction(ForceOnOne):
     @property
     def may_be_brief(self) -> bool:
         return True
+
+    @property
+    def is_smooth(self) -> bool:
+        return self.smooth
 
     @property
     def conserves(self) -> Conserves:

@@ -38,13 +38,15 @@ def moved_contacts(scene: Scene) -> list[tuple[ContactForce, int, int]]:
 class System:
     """A scene taken apart once: its constraints, rubs, contacts and events in lists, so that a mode can name them by number.
 
-    There are `count` places, and as many velocities; `always` are the forces that need no touch, `heavy` the masses (kg) at the start.
+    There are `count` places, and as many velocities; `always` are the forces that need no touch, `heavy` the masses (kg) at the start, of
+    bodies, and `each` of the components of their velocities.
     Two bodies that nothing moves have no contact.
     """
 
     def __init__(self, scene: Scene) -> None:
         self.scene, self.count = scene, scene.axes * len(scene.bodies)
         self.heavy, self.evaluations = [body.mass for body in scene.bodies], 0
+        self.each = [mass for mass in self.heavy for _ in range(scene.axes)]
         self.constraints: list[Constraint] = []
         self.rubs: list[Rub] = []
         self.pressed = list[int]()
@@ -97,9 +99,8 @@ class System:
         for i, newtons in self._pushes(time, y, masses, since, touching):
             for axis, newton in enumerate(newtons):
                 sums[axes * i + axis] += newton
-        for j in range(self.count):
-            mass = masses[j // axes]
-            sums[j] = 0.0 if mass == math.inf else sums[j] / mass
+        each = [mass for mass in masses for _ in range(axes)] if self.changing else self.each
+        sums[: self.count] = [0.0 if m == math.inf else f / m for f, m in zip(sums, each, strict=False)]
         return sums
 
     def _pushes(
