@@ -169,9 +169,11 @@ def test_a_round_angle_is_a_guess(turned, typed):
     assert "sign" not in found.why
 
 
-@pytest.mark.parametrize("typed", ["-74.6°", "149.2°"])
-def test_an_angle_that_is_none_of_the_round_ones_may_be_off_by_a_factor_or_a_sign(turned, typed):
-    assert points(of_angles(turned, "37.3"), a=typed) == {"a": 0.5}
+@pytest.mark.parametrize(
+    "typed", ["-74.6°", "149.2°", "37.3°", "746°", "7.46°", "7.46", "0.746°", "13.02 rad"]
+)
+def test_no_factor_of_an_angle_is_a_slip_nor_a_sign_that_it_never_has(turned, typed):
+    assert points(of_angles(turned, "37.3"), a=typed) == {"a": 0}
 
 
 @pytest.mark.parametrize("typed", ["0.25", "1", "-0.5", "1.0", "2", "25 %", "0.05"])
@@ -216,6 +218,50 @@ def test_what_has_no_direction_has_none_to_check(turned):
     assert "direction" not in energy.slip
     assert "sign is wrong" in energy.slip
     assert "which direction is positive" in velocity.slip
+
+
+MULTIPLES = """
+    p, F, Q, w = unknowns("p F Q w")
+    return derivation(
+        step(p, "As ever.", law("B", "p = m*v"), answers="a"),
+        step(F, "Per time.", law("F", "F = p/t"), answers="b"),
+        step(Q, "As large.", law("Q", "Q = 50*p*s"), answers="c"),
+        step(w, "Turned.", law("W", "w = -F*t/m*s"), answers="d"),
+    )
+"""
+MULTIPLES_GIVENS = """
+    m: {is: mass, value: 0.32, from: 0.1, to: 0.9, step: 0.01, unit: kg}
+    v: {is: velocity, value: 21, from: 10, to: 30, step: 1, unit: m/s}
+    t: {is: time, value: 20, from: 10, to: 30, step: 1, unit: ms}
+    s: {is: share, value: 0.7, from: 0.1, to: 0.9, step: 0.01}
+"""
+
+
+@pytest.fixture(scope="module")
+def multiples(tmp_path_factory: pytest.TempPathFactory) -> Key:
+    """6.72 kg m/s, 336 N, 235.2 kg m/s, -14.7 m/s."""
+    folder = tmp_path_factory.mktemp("multiples")
+    solution = solved(folder, MULTIPLES_GIVENS, "a kg*m/s\nb N\nc kg*m/s\nd m/s", MULTIPLES, "m, v, t, s")
+    return make_key(solution, chosen(solution.problem, dict[str, Fraction]()))
+
+
+@pytest.mark.parametrize(
+    ("answers", "earned"),
+    [
+        ({"a": "6.72 kg m/s", "b": "672 N"}, 0),  # twice 336 N, and the digits of (a)
+        ({"b": "672 N"}, 0.5),
+        ({"a": "", "b": "672 N"}, 0.5),
+        ({"a": "6.7 kg m/s", "b": "670 N"}, 0),
+        ({"a": "5.1 kg m/s", "b": "510 N"}, 0),  # twice what follows, and the digits of a wrong (a)
+        ({"a": "6.72 kg m/s", "b": "168 N"}, 0.5),
+        ({"a": "6.72 kg m/s", "b": "33.6 N"}, 0.5),
+        ({"a": "6.72 kg m/s", "b": "-336 N"}, 0.5),
+        ({"a": "6.72 kg m/s", "c": "470.4 kg m/s"}, 0.5),
+    ],
+)
+def test_the_digits_of_another_answer_earn_nothing_as_a_factor(multiples, answers, earned):
+    (last,) = [*answers][-1:]
+    assert points(multiples, **answers)[last] == earned
 
 
 def test_an_angle_of_one_figure_earns_nothing(turned):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.answers.direction import DIRECTED, SIZE
@@ -25,7 +25,8 @@ CONSTANT_OF_FORMULA = N_(
 SIGN_AND_CONSTANT = N_("the sign and a constant factor are wrong")
 ROOT = N_("a constant factor is wrong: look at what stands under a root")
 SPEEDS = N_("km/h and m/s have been mixed.")
-ENERGY = Dimension.of("kg m^2 s^-2")
+ENERGY, LENGTH = Dimension.of("kg m^2 s^-2"), Dimension.of("m")
+TURNING = frozenset(map(Dimension.of, ("s^-1", "s^-2")))
 WITH_DIRECTION = DIRECTED | {
     ENERGY,
     *map(
@@ -94,6 +95,16 @@ RATIOS = (
 )
 
 
+def is_directed(unit: Unit) -> bool:
+    """True of what points one way or the other wherever it is met: a velocity, a force, a torque; not of a length or an angle, which
+    may be a position as well as a size."""
+    if unit.dimension == ENERGY:
+        return TORQUE.search(unit.text) is not None
+    if unit.dimension in TURNING:
+        return "rad" in unit.text or "deg" in unit.text
+    return unit.dimension in WITH_DIRECTION and unit.dimension != LENGTH
+
+
 def has_direction(unit: Unit, title: str = "") -> bool:
     """True if a sign says which way: of a velocity or a force, not of an energy, a mass, a ratio, nor where the `title` asks for a
     speed or a magnitude."""
@@ -104,9 +115,16 @@ def has_direction(unit: Unit, title: str = "") -> bool:
     return unit.dimension in WITH_DIRECTION or (unit.dimension == ONE and unit.text in {"rad", "deg"})
 
 
-def slips(values: Values, unit: Unit, title: str = "") -> Iterator[tuple[Values, str]]:
-    """What the values become by each slip that needs nothing but them, and what the student reads."""
-    if any(values):
+def slips(
+    values: Values, unit: Unit, title: str = "", signed: Sequence[bool] = ()
+) -> Iterator[tuple[Values, str]]:
+    """What the values become by each slip that needs nothing but them, and what the student reads.
+
+    `signed` says which of them have a sign to get wrong (empty: each). Of an angle no factor is a slip: halves, doubles and tenths
+    of angles are what guessing tries.
+    """
+    signed = signed or (True,) * len(values)
+    if any(values) and all(has for value, has in zip(values, signed, strict=True) if value):
         sign = _("The sign is wrong: ask what a positive and what a negative value would mean here.")
         if has_direction(unit, title):
             sign = (
@@ -119,7 +137,7 @@ def slips(values: Values, unit: Unit, title: str = "") -> Iterator[tuple[Values,
         yield tuple(-x for x in values), sign
     if len(values) > 1:
         for place, value in enumerate(values):
-            if value:
+            if value and signed[place]:
                 turned = (*values[:place], -value, *values[place + 1 :])
                 yield turned, _("The sign of one component is wrong.")
         if len(values) == 2 and values[0] != values[1]:
@@ -128,7 +146,7 @@ def slips(values: Values, unit: Unit, title: str = "") -> Iterator[tuple[Values,
         degrees = _("That looks like degrees where radians are asked for; write the unit, as in 30 deg.")
         yield tuple(map(math.degrees, values)), degrees
         yield tuple(map(math.radians, values)), _("That looks like radians written as degrees.")
-    if any(values):
+    if any(values) and not unit.is_angle:
         for ratio in RATIOS:
             if ratio.number:
                 of_ratio = unit.dimension == ONE and ratio.number == TEN
@@ -136,9 +154,18 @@ def slips(values: Values, unit: Unit, title: str = "") -> Iterator[tuple[Values,
                 yield tuple(ratio.factor * x for x in values), sentence
 
 
-def ratio_of_formulas(ratio: float) -> str:
-    """What a constant ratio of the student's formula to the right one tells; "" where it tells nothing."""
+def common_factor(values: Values, right: Values) -> float:
+    """The number by which all values are off; 1 where there is none."""
+    index = max(range(len(right)), key=lambda place: abs(right[place]))
+    factor = values[index] / right[index] if right[index] else 1.0
+    alike = all(math.isclose(x, factor * y, rel_tol=1e-9) for x, y in zip(values, right, strict=True))
+    return factor if alike else 1.0
+
+
+def ratio_of_formulas(ratio: float, *, signed: bool = True) -> str:
+    """What a constant ratio of the student's formula to the right one tells; "" where it tells nothing, as a sign does of what has
+    none."""
     for known in RATIOS:
-        if known.formula and abs(ratio / known.factor - 1) < 1e-9:
+        if known.formula and (signed or known.factor > 0) and abs(ratio / known.factor - 1) < 1e-9:
             return known.of_formula()
     return _("a constant was rounded") if abs(ratio - 1) < 0.01 else ""

@@ -76,9 +76,9 @@ def compare(
     return Undecided("too few points were found where the formulas have values")
 
 
-def hint(difference: Different) -> str:
-    """What the constant ratio between the two tells: a sign, a factor 2, a unit; "" where it tells nothing."""
-    return "" if difference.ratio is None else ratio_of_formulas(difference.ratio)
+def hint(difference: Different, *, signed: bool = True) -> str:
+    """What the constant ratio between the two tells: a sign (of what is `signed`), a factor 2, a unit; "" where it tells nothing."""
+    return "" if difference.ratio is None else ratio_of_formulas(difference.ratio, signed=signed)
 
 
 def _branches(tree: Expr) -> bool:

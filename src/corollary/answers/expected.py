@@ -44,8 +44,9 @@ class Quantity:
     (None: the values come from a simulation), to be compared on `domain`; `givens` are the student's numbers. `routes` are the
     values by each way from the givens, `follow_through` those and the ones by earlier answers. `scales` are what
     the tolerance of each entry of a table is relative to. `residue` says of each component that is zero how large (absolute) a
-    number may be that stands for it. `counted`: a whole number, which nobody rounds. `explained_by_rounding` says of wrong values
-    whether the right formulas give them when too few figures are carried.
+    number may be that stands for it. `counted`: a whole number, which nobody rounds. `signed` says which components
+    have a sign to get wrong (empty: each). `explained_by_rounding` says of wrong values whether the right formulas give them when too
+    few figures are carried.
     """
 
     values: Values
@@ -61,6 +62,7 @@ class Quantity:
     scales: Values = ()
     residue: Values = ()
     counted: bool = False
+    signed: tuple[bool, ...] = ()
     explained_by_rounding: Callable[[Values], bool] = lambda _values: False
 
 

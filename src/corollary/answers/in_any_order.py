@@ -53,7 +53,8 @@ def rising(answer: Numbers) -> Numbers:
 def _rising(wanted: Quantity) -> Quantity:
     order = sorted(range(len(wanted.values)), key=wanted.values.__getitem__)
     uncertain = tuple(wanted.uncertain[place] for place in order)
-    return replace(remade(wanted, _sorted), uncertain=uncertain)
+    signed = tuple(wanted.signed[place] for place in order) if wanted.signed else ()
+    return replace(remade(wanted, _sorted), uncertain=uncertain, signed=signed)
 
 
 def _sorted(values: Values) -> Values:

@@ -53,8 +53,8 @@ def judge_formulas(
         pairs = zip(answer.trees, wrong, strict=True)
         if all(isinstance(compare(tree, other, where), Equal) for tree, other in pairs):
             return Mistaken(sentence)
-    first = next(each for each in found if isinstance(each, Different))
-    if slip := hint(first):
+    place, first = next((place, each) for place, each in enumerate(found) if isinstance(each, Different))
+    if slip := hint(first, signed=not wanted.signed or wanted.signed[place]):
         return Slip(f"{slip[0].upper()}{slip[1:]}.")
     return Wrong(_with_own_numbers(answer, wanted, question) or _at_point(first))
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 from itertools import combinations
 
 from corollary.answers.answer import Numbers
-from corollary.answers.common_errors import slips
+from corollary.answers.common_errors import common_factor, slips
 from corollary.answers.expected import FollowThrough, Quantity, Values
 from corollary.answers.guessing import are_round, may_be_guessed
 from corollary.answers.question import Question
@@ -84,9 +84,9 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
     if few:  # one figure says hardly more than a guess
         return Slip(_("Rounded too far to tell: give three significant figures."), once=False, nothing=True)
     for way in _distinct(ways):
-        for value, sentence in slips(way.values, question.unit, question.title):
+        for value, sentence in slips(way.values, question.unit, question.title, wanted.signed):
             if any(value) and _meets(answer, wanted, value):
-                factor = value[0] / way.values[0] if len(value) == 1 and way.values[0] else 1.0
+                factor = common_factor(value, way.values)
                 if are_round(value, question.unit, counted=wanted.counted):
                     continue  # of 45° it would be wrong to say that a factor of 90° is missing
                 guess = _guess(answer, question, value, way.values, counted=wanted.counted)
@@ -226,6 +226,8 @@ def _distinct(ways: Iterable[FollowThrough]) -> Iterable[FollowThrough]:
 def _hint(answer: Numbers, wanted: Quantity, question: Question) -> str:
     """What may be said without giving the value away."""
     sort, unit = kind(question.unit), show(question.unit)
+    if any(value < 0 and not has for value, has in zip(answer.values, wanted.signed, strict=False)):
+        return _("This cannot be negative: what is asked for has no direction, and is never below zero.")
     if len(answer.values) == 1 and wanted.values[0] and answer.values[0]:
         ratio = answer.values[0] / wanted.values[0]
         if abs(ratio) > 100 or abs(ratio) < 0.01:

@@ -88,6 +88,7 @@ def _quantity(
         truth.scales,
         truth.residue,
         truth.counted,
+        truth.signed,
         explained_by_rounding=partial(explained_by_rounding, key, truth),
     )
 

@@ -18,7 +18,8 @@ from corollary.problem.part import Part
 
 _ = catalogue(__name__)
 
-ROUND = (1.0, 2.0, 0.5, 4.0, 0.25, *(10.0**power for power in (1, 2, 3, 4, 6, -1, -2, -3, -4, -6)))
+TENS = (1.0, *(10.0**power for power in (1, 2, 3, 4, 6, -1, -2, -3, -4, -6)))
+ROUND = (2.0, 0.5, 4.0, 0.25, *TENS)
 SAME = 1e-9  # a number typed twice, and read in two units
 
 
@@ -41,8 +42,12 @@ def own_work(verdict: Verdict, values: Values | None, earlier: Mapping[str, Valu
 def guessed(
     verdict: Verdict, values: Values | None, key: Key, part: Part, earlier: Mapping[str, Values]
 ) -> Verdict:
-    """A factor or a sign is nothing to be paid for where it is found without this part: where the answer of a part asked before
-    is this one but for a round factor, and something like it was typed; where a given was copied, or an own answer."""
+    """A factor or a sign is nothing to be paid for where it is found without this part.
+
+    That is where the answer of a part asked before is this one but for a round factor, and something like it was typed; where what
+    was typed is such an answer times a round factor (of another dimension: with its digits); where a given was copied, or an own
+    answer.
+    """
     if not isinstance(verdict, Slip) or verdict.nothing or not verdict.once or values is None:
         return verdict
     truth = key.truths[part.id]
@@ -54,11 +59,22 @@ def guessed(
     )
     sign_alone = _related(values, truth.values, (1.0,), truth.tolerance)  # then its size had to be found
     factors = (1.0,) if sign_alone else ROUND
+    round_slip = any(factor != 1.0 and math.isclose(abs(verdict.factor), factor) for factor in ROUND)
+    exact = tuple(
+        verdict.factor * value for value in truth.values
+    )  # what was typed, where it is off from the truth itself
+    meant = (values, exact) if within(values, exact, truth.tolerance, math.hypot(*exact)) else (values,)
     for other in _asked_before(key, part) if not found else ():
-        theirs = key.truths[other.id].values
-        if other.unit.dimension == part.unit.dimension and _related(truth.values, theirs, factors, SAME):
+        theirs, alike = key.truths[other.id].values, other.unit.dimension == part.unit.dimension
+        if alike and _related(truth.values, theirs, factors, SAME):
             typed = (theirs, earlier.get(other.id, theirs))
             found = found or any(_related(values, each, factors, truth.tolerance) for each in typed)
+        elif round_slip and other.id in earlier:
+            typed = theirs if key.truths[other.id].is_met_by(earlier[other.id]) else earlier[other.id]
+            times = ROUND if alike else TENS
+            found = found or any(
+                _related(mine, each, times, SAME) for mine in meant for each in (typed, earlier[other.id])
+            )
     return replace(verdict, nothing=True) if found else verdict
 
 

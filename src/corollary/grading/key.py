@@ -16,6 +16,7 @@ from corollary.grading.counts import is_counted
 from corollary.grading.replay import compute, simulated
 from corollary.grading.residue import residue_of
 from corollary.grading.rounding import LEAST, MOST, Noise, noise_of
+from corollary.grading.signs import signed
 from corollary.problem.part import Part
 from corollary.problem.variant import Variant
 
@@ -35,7 +36,8 @@ class Truth:
     may be drawn. `uncertain` is how far rounding moves each component (absolute): a smaller component has no sign of its own.
     `scales` are those of each entry of a table, which are numbers of their own: then `scale` is the largest of them (0 where one is),
     and `tolerance` and `noise` those of the entry that may be off most. `residue` says of each component that is zero how large
-    (absolute) a number may be that stands for it. `counted`: a whole number, which nobody rounds.
+    (absolute) a number may be that stands for it. `counted`: a whole number, which nobody rounds. `signed` says which components
+    have a sign to get wrong (empty: each).
     """
 
     place: int
@@ -49,6 +51,7 @@ class Truth:
     scales: Values = ()
     residue: Values = ()
     counted: bool = False
+    signed: tuple[bool, ...] = ()
 
     def is_met_by(self, values: Values, more: float = 0.0) -> bool:
         """Whether values are within the tolerance, and so much `more`; of a table, whether every entry is."""
@@ -127,7 +130,9 @@ def make_key(solution: Solution, variant: Variant) -> Key:
         else:
             truth = _truth(place, stated[place], noise[place], part, find, known)
         truths[find.part] = (
-            truth if part is None else _zeros_and_counts(truth, stated[place], part, find, solution, known)
+            truth
+            if part is None
+            else _zeros_counts_and_signs(truth, stated[place], part, find, solution, known)
         )
     choices = {
         part: parts[part].letter_asked(option_that_holds(truth.options, givens, part))
@@ -161,7 +166,7 @@ def _truth(
     return Truth(place, stated.values, stated.certified, error, scale, tolerance, by_steps, uncertain)
 
 
-def _zeros_and_counts(
+def _zeros_counts_and_signs(
     truth: Truth,
     stated: Answered,
     part: Part,
@@ -169,7 +174,7 @@ def _zeros_and_counts(
     solution: Solution,
     known: Mapping[str, RationalPi],
 ) -> Truth:
-    """The truth with what stands for its zeros, and with no tolerance where it is a whole number."""
+    """The truth with what stands for its zeros, with no tolerance where it is a whole number, and with what has a sign."""
     zeros = [
         abs(value - float(unit.offset)) <= error
         for value, unit, error in zip(stated.values, part.units, stated.errors, strict=True)
@@ -180,7 +185,7 @@ def _zeros_and_counts(
         truth = replace(truth, residue=residue if truth.scales or all(zeros) else ())
     if not part.tolerance and is_counted(solution, truth.place, part, known):
         truth = replace(truth, counted=True, tolerance=COUNTED, noise=0.0)
-    return truth
+    return replace(truth, signed=signed(solution, truth.place, part, stated.values))
 
 
 def table_truth(

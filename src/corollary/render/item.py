@@ -195,6 +195,8 @@ def _formulas(wanted: Quantity, right: tuple[Expr, ...], scheme: Scheme) -> Iter
         yield credit(trees, Mistaken(text))
     for ratio in RATIOS if len(right) == 1 else ():
         factor = Fraction(str(ratio.factor))
+        if ratio.factor < 0 and wanted.signed == (False,):
+            continue
         if ratio.formula and factor.limit_denominator(1000) == factor:
             tells = ratio.of_formula()
             trees = (Product((Number(factor), *right)),)
@@ -231,7 +233,8 @@ def _marks(key: Key, part: Part, wanted: Quantity, scheme: Scheme) -> Iterator[C
     for way in ways:
         above = tuple(value - zero for value in way.values)
         general = [
-            (tuple(x + zero for x in values), text) for values, text in slips(above, moved, part.title)
+            (tuple(x + zero for x in values), text)
+            for values, text in slips(above, moved, part.title, wanted.signed)
         ]
         for values, text in [*general, *(way.slips() if way.slips else ())]:
             if any(values) and all(map(math.isfinite, values)):

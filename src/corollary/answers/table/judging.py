@@ -42,6 +42,7 @@ def entry(wanted: Quantity, place: int) -> Quantity:
         scales=(),
         residue=wanted.residue[place : place + 1],
         uncertain=(wanted.uncertain[place],),
+        signed=wanted.signed[place : place + 1],
         formulas=None if wanted.formulas is None else (wanted.formulas[place],),
         wrong_formulas=lambda: (
             ((trees[place],), sentence)

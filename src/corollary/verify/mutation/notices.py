@@ -27,6 +27,7 @@ from corollary.grading.assign import APART, VisibleMistake, visible_mistakes
 from corollary.grading.key import Key
 from corollary.grading.neglect import neglected_in
 from corollary.grading.replay import ancestors
+from corollary.grading.signs import size_asked
 from corollary.laws.law import Law
 from corollary.scenes.plan import followed
 from corollary.scenes.run import BadSetting, GuardFailed, Run
@@ -44,7 +45,6 @@ from corollary.verify.mutation.spots import (
     fulfilled,
     spot_at,
 )
-from corollary.verify.obligations.claims import size_asked
 from corollary.verify.printed import as_printed, readings_of
 from corollary.verify.walk import meets
 from corollary.verify.words.asked_sign import magnitudes_asked

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations, product
@@ -29,7 +28,7 @@ from corollary.formula.operators import has_operators
 from corollary.grading.assign import APART, visible_mistakes
 from corollary.grading.replay import ancestors
 from corollary.grading.rounding import MOST
-from corollary.problem.part import Part
+from corollary.grading.signs import size_asked
 from corollary.verify.obligations.obligation import Clause, Equations, Obligation
 
 ZERO, ONE, TWO = (Number(Fraction(each)) for each in (0, 1, 2))
@@ -160,15 +159,6 @@ def _exactly_one(cases: list[Clause], claim: str, line: int) -> Obligation:
     return Obligation("one case", claim, line, (*every, *pairs))
 
 
-SIZES = (
-    "speed", "distance", "height", "depth", "length", "width", "radius", "diameter", "duration", "mass", "magnitude", "period",
-    "frequency", "kinetic energy",
-)  # fmt: skip
-ASKED = re.compile(
-    rf"\b(?:at |with )?(?:what|which)(?: (?:is|was|are|were|must be|will be))?(?: (?:the|its|their|your|his|her))?(?: \w+)?"
-    rf" (?P<size>{'|'.join(SIZES)})\b(?! (?:difference|change))|\bhow (?P<how>fast|long|far|high|deep|heavy|many)\b",
-    re.IGNORECASE,
-)
 TRUE_AT_ONCE = "sympy takes the condition for true before it has numbers; in quotes it is proven as it stands"
 
 
@@ -183,14 +173,6 @@ def of_claimed_sign(solution: Solution) -> Iterator[Obligation]:
         (tree,) = find.in_givens
         claim = f"part {find.part} is not negative, for it asks {words!r}"
         yield Obligation("claimed sign", claim, find.statement.line, ((Relation(">=", tree, ZERO),),))
-
-
-def size_asked(part: Part) -> str:
-    """The words by which a question asks for what cannot be negative; "" where it does not."""
-    asked = ASKED.search(part.text)
-    if asked is None or part.unit.offset:
-        return ""
-    return asked["size"] or f"how {asked['how']}"
 
 
 def always_so(solution: Solution) -> Iterator[Obligation]:
