@@ -48,14 +48,14 @@ STEPS = """
 
 
 @pytest.fixture(scope="module")
-def solution(tmp_path_factory: pytest.TempPathFactory):
+def counting(tmp_path_factory: pytest.TempPathFactory):
     return solved(tmp_path_factory.mktemp("count"), GIVENS, PARTS, STEPS, "n, k, v, w, x")
 
 
 @pytest.fixture(scope="module")
-def balls(solution) -> Key:
+def balls(counting) -> Key:
     """7 balls, 21 pairs, 5, a ratio of 2, 12 hits, 35, and 823543."""
-    return make_key(solution, chosen(solution.problem, dict[str, Fraction]()))
+    return make_key(counting, chosen(counting.problem, dict[str, Fraction]()))
 
 
 def is_right(key: Key, part: str, answer: object) -> bool:
@@ -96,9 +96,41 @@ def test_twice_a_count_is_a_guess(balls):
     assert not any(isinstance(found[part][0][0], Right | Slip) for part in "ab")
 
 
-def test_numbers_for_which_a_count_is_none_are_not_dealt(solution):
-    thirds = chosen(solution.problem, {"v": Fraction(4), "w": Fraction(9)})
-    assert "(e)" in admitted(solution, thirds)[1] or "part e" in admitted(solution, thirds)[1]
+def test_numbers_for_which_a_count_is_none_are_not_dealt(counting):
+    thirds = chosen(counting.problem, {"v": Fraction(4), "w": Fraction(9)})
+    assert "(e)" in admitted(counting, thirds)[1] or "part e" in admitted(counting, thirds)[1]
+
+
+@pytest.mark.parametrize(
+    ("typed", "right"),
+    [
+        ("4, 3", True),
+        ("4.0, 3.0", True),
+        ("(4; 3)", True),
+        (["4", 3], True),
+        ("4.02, 3", False),
+        ("4.01,2.99", False),
+        ("4, 3.004", False),
+        ("3.99, 3", False),
+        ("3, 4", False),
+    ],
+)
+def test_counts_in_a_vector_are_exact(key, typed, right):
+    """How many unknowns, and how many equations."""
+    assert is_right(key("S12.5nc"), "e", typed) is right
+
+
+@pytest.mark.parametrize(
+    ("typed", "right"), [("2", True), ("2.0", True), ("2.004", True), ("2.03", False), ("1.9", False)]
+)
+def test_a_ratio_that_comes_out_whole_is_measured_like_another(key, typed, right):
+    assert is_right(key("X12.9"), "c", typed) is right
+    assert is_right(key("E12.5.2"), "f", ["0", "1", typed, "3"]) is right
+
+
+def test_of_a_ratio_that_is_whole_whatever_the_numbers_it_is_said(verdicts):
+    assert verdicts("X12.9", c="2.004")["c"] == Right("Right; it is exactly 2, whatever the numbers are.")
+    assert verdicts("X12.9", c="2.0")["c"] == Right()
 
 
 @pytest.mark.parametrize(
@@ -115,8 +147,8 @@ def test_what_a_count_cannot_have_is_said(tmp_path, heading, said):
 
 
 @given(st.integers(2, 9), st.integers(-50, 50).filter(bool))
-def test_only_the_whole_number_itself_is_right(solution, n, off):
-    own = make_key(solution, chosen(solution.problem, {"n": Fraction(n)}))
+def test_only_the_whole_number_itself_is_right(counting, n, off):
+    own = make_key(counting, chosen(counting.problem, {"n": Fraction(n)}))
     assert is_right(own, "b", n * (n - 1) // 2)
     assert not is_right(own, "b", n * (n - 1) // 2 + off)
     assert not is_right(own, "b", n * (n - 1) / 2 + off / 100)

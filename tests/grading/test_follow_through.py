@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from corollary.answers.verdict import Follows, Mistaken, Right
+from corollary.answers.verdict import Follows, Mistaken, Right, Wrong
 from corollary.grading.follow_through import consequences, from_student
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
@@ -134,3 +134,46 @@ def test_what_follows_is_not_punished_again_for_a_known_mistake(tmp_path):
 def test_answers_to_no_part_and_with_too_many_numbers_are_left_out(push):
     found = from_student(push, {"a": (6.0,), "b": (3.0,), "z": (1.0,), "c": (6.0, 1.0)})
     assert (found.right, found.wrong) == ({"a": (6.0,)}, {"b": (3.0,)})
+
+
+@pytest.mark.parametrize(
+    ("b", "c", "follows"),
+    [
+        ("2000 N", "1998.04 N", False),  # less the weight
+        ("2000 N", "2001.96 N", True),
+        ("2000 N", "2002 N", True),
+        ("2000 N", "2000 N", True),
+        ("1500 N", "1498 N", False),
+        ("200 N", "198 N", False),
+        ("200 N", "201 N", True),
+    ],
+)
+def test_a_term_with_the_wrong_sign_does_not_follow(tmp_path, b, c, follows):
+    """Though it is so small that what was not written down of the answer before would explain it."""
+    givens = """
+        m: {is: mass, value: 0.2, from: 0.1, to: 0.9, step: 0.1, unit: kg}
+        p: {is: momentum, value: 0.61, from: 0.1, to: 3, step: 0.01, unit: kg*m/s}
+        t: {is: time, value: 4, from: 1, to: 9, step: 1, unit: ms}
+        g: {is: acceleration of gravity, value: 9.8, unit: m/s^2}
+    """
+    steps = """
+        F, N = unknowns("F N")
+        return derivation(
+            step(F, "Per time.", law("F", "F = p/t"), answers="b"),
+            step(N, "And the weight.", law("N", "N - m*g = F"), answers="c"),
+        )
+    """
+    solution = solved(tmp_path, givens, "b N\nc N", steps, "m, p, t, g")
+    key = make_key(solution, chosen(solution.problem, dict[str, Fraction]()))
+    found = judge(key, {"b": from_json(b), "c": from_json(c)})["c"][0][0]
+    assert isinstance(found, Follows) is follows, found
+    if not follows:
+        assert isinstance(found, Wrong)
+
+
+def test_the_sign_of_a_term_is_told(key):
+    of = key("E12.3.1")
+    found = verdicts(of, a="0.56", b="200 N", c="199.02 N")["c"]
+    assert isinstance(found, Wrong)
+    assert "one term has the wrong sign" in found.why
+    assert verdicts(of, a="0.56", b="200 N", c="200.98 N")["c"] == Follows(("b",))

@@ -33,6 +33,7 @@ class FollowThrough:
     misconceptions: Callable[[], Iterable[tuple[Values, str]]] | None = None
     slips: Callable[[], Iterable[tuple[Values, str]]] | None = None
     moved: Callable[[], Iterable[Values]] | None = None
+    turned: Callable[[], Iterable[Values]] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,16 +20,19 @@ from corollary.answers.tolerance import (
     ROUNDING_NOISE,
     coarse,
     coarse_polar,
+    last_place,
     same_signs,
     within,
 )
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
+from corollary.formula.ast import names
 from corollary.messages import catalogue
 from corollary.units.unit import CALLED, ONE, Unit, kind, show
 
 _ = catalogue(__name__)
 
 LARGE_COUNT = 1e5
+EXACT = 1e-9  # relative: what a calculation leaves
 LITTLE_OFF = 0.05
 MOST_MOVED, LEAST_MOVED = (
     0.2,
@@ -58,14 +61,21 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
     if answer.misfit:
         return _misfit(answer.misfit, judge_numbers(replace(answer, misfit=""), wanted, question))
     if _meets(answer, wanted, wanted.values):
-        return Right()
+        return Right(_exact_value(answer, wanted))
     ways = list(wanted.follow_through())
+    turned: list[FollowThrough] = []
     for way in ways:
         if _meets(answer, wanted, way.values):
-            return Follows(way.earlier) if way.earlier else Right()
+            if not way.earlier:
+                return Right()
+            if not _has_a_sign_turned(answer, way, question):
+                return Follows(way.earlier)
+            turned.append(way)
     for way in {(way.values, way.earlier): way for way in ways if way.earlier}.values():
         if _meets_unrounded(answer, wanted, way):
-            return Follows(way.earlier)
+            if not _has_a_sign_turned(answer, way, question):
+                return Follows(way.earlier)
+            turned.append(way)
     few = _coarse(answer, wanted, question, wanted.values)
     if few >= ENOUGH:
         return Right()
@@ -78,6 +88,13 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
         for value, sentence in way.misconceptions() if way.misconceptions else ():
             if _meets(answer, wanted, value):
                 return Mistaken(sentence, way.earlier, nothing=not any(value))
+    if turned:
+        return Wrong(
+            _(
+                "This is what your answer in {parts} gives when one term has the wrong sign: look at what is added and what is taken away.",
+                parts=_(" and ").join(f"({part})" for part in turned[0].earlier),
+            )
+        )
     for way in ways:
         if way.earlier and _coarse(answer, wanted, question, way.values) > 1:
             return Follows(way.earlier)
@@ -98,6 +115,21 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
                     nothing=_guess(answer, question, value, way.values, counted=wanted.counted),
                 )
     return Wrong(_hint(answer, wanted, question))
+
+
+def _exact_value(answer: Numbers, wanted: Quantity) -> str:
+    """What is said beside a right number that was rounded on the way though the laws give a whole one, whatever the numbers."""
+    target = wanted.values[0]
+    if (
+        len(wanted.values) > 1
+        or wanted.formulas is None
+        or names(wanted.formulas[0])
+        or not target.is_integer()
+    ):
+        return ""
+    if not target or math.isclose(answer.values[0], target, rel_tol=EXACT):
+        return ""
+    return _("Right; it is exactly {value}, whatever the numbers are.", value=f"{target:g}")
 
 
 def _above(values: Values, unit: Unit) -> Values:
@@ -171,6 +203,21 @@ def _meets_unrounded(answer: Numbers, wanted: Quantity, way: FollowThrough) -> b
     return within(answer.values, way.values, 0.0, 0.0, near + min(reach, most))
 
 
+def _has_a_sign_turned(answer: Numbers, way: FollowThrough, question: Question) -> bool:
+    """Whether the way leads to just what was typed when one term has the other sign, and as it stands does not."""
+    sizes: Sequence[float] = answer.sizes or (question.unit.si,) * len(answer.values)
+    halves = [
+        0.5 * last_place(value, figures, size) if value and figures else EXACT * abs(value)
+        for value, figures, size in zip(answer.values, answer.figures, sizes, strict=True)
+    ]
+
+    def is_typed(values: Values) -> bool:
+        triples = zip(answer.values, values, halves, strict=True)
+        return all(abs(x - y) <= half * (1 + EXACT) for x, y, half in triples)
+
+    return way.turned is not None and not is_typed(way.values) and any(map(is_typed, way.turned()))
+
+
 def _is_zero(answer: Numbers, wanted: Quantity) -> bool:
     """Whether it is 0 but for the noise of a calculation: a small number is none."""
     residue = ROUNDING_NOISE * wanted.scale if any(wanted.values) else max(wanted.residue, default=0.0)
@@ -227,7 +274,7 @@ def _hint(answer: Numbers, wanted: Quantity, question: Question) -> str:
     """What may be said without giving the value away."""
     sort, unit = kind(question.unit), show(question.unit)
     if any(value < 0 and not has for value, has in zip(answer.values, wanted.signed, strict=False)):
-        return _("This cannot be negative: what is asked for has no direction, and is never below zero.")
+        return _("This cannot be negative: what is asked for is never below zero.")
     if len(answer.values) == 1 and wanted.values[0] and answer.values[0]:
         ratio = answer.values[0] / wanted.values[0]
         if abs(ratio) > 100 or abs(ratio) < 0.01:

@@ -22,7 +22,12 @@ def remade(wanted: Quantity, by: Callable[[Values], Values]) -> Quantity:
     def followed(ways: Callable[[], Iterable[FollowThrough]]) -> Callable[[], Iterable[FollowThrough]]:
         return lambda: (
             FollowThrough(
-                by(way.values), way.earlier, moved(way.misconceptions), moved(way.slips), rounded(way.moved)
+                by(way.values),
+                way.earlier,
+                moved(way.misconceptions),
+                moved(way.slips),
+                rounded(way.moved),
+                rounded(way.turned),
             )
             for way in ways()
         )

@@ -98,7 +98,7 @@ def _follow_through(
 ) -> Iterator[FollowThrough]:
     for each in consequences(key, truth, earlier, written):
         if each.what_if is None:
-            yield FollowThrough(each.values, each.earlier, moved=each.moved)
+            yield FollowThrough(each.values, each.earlier, moved=each.moved, turned=each.turned)
         else:
             yield FollowThrough(
                 each.values,
@@ -106,6 +106,7 @@ def _follow_through(
                 partial(wrong_values, key, truth, each.what_if),
                 partial(slips_of_input, key, truth, each.what_if),
                 each.moved,
+                each.turned,
             )
 
 

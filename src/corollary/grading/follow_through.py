@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
-from itertools import combinations
+from itertools import combinations, islice
 
 from corollary.answers.evaluation import BITS, as_exact, balls, numbers
 from corollary.answers.expected import Values
 from corollary.derive.solution import ClosedForms, Rule, Solution, Way
-from corollary.formula.ast import Name
+from corollary.formula.ast import Expr, Name, Negative, Sum, children, rebuilt
 from corollary.formula.ball import Undefined, precision_of
 from corollary.grading.key import Key, Truth
 from corollary.grading.replay import WhatIf, ancestors, replay, without_noise
@@ -20,6 +20,7 @@ from corollary.grading.replay import WhatIf, ancestors, replay, without_noise
 MOST = 6  # wrong earlier answers combined: 64 choices of them, each by every route
 ABSURD = 1050.0  # times too large or too small: a power of ten is still followed, beyond it there is no physics left to follow
 COPIED = 1e-9
+MOST_TURNED = 16  # terms of a formula: of a longer one the first
 CANCELLED = 1e-13  # of the part: what two doubles leave of each other
 
 
@@ -28,13 +29,15 @@ class Consequence:
     """A value of a part, and which wrong earlier answers it follows from.
 
     `what_if` is the replay that gave it, for mistakes to be made in it; None where it was found along a way of its own.
-    `moved` are the values with each number of the student's moved by half of its last figure.
+    `moved` are the values with each number of the student's moved by half of its last figure, `turned` those with the sign of one term
+    of the part's own formula the other way round.
     """
 
     values: Values
     earlier: tuple[str, ...]
     what_if: WhatIf | None
     moved: Callable[[], Iterator[Values]]
+    turned: Callable[[], Iterator[Values]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,8 +125,9 @@ def _in_order(key: Key, truth: Truth, given: FromStudent) -> Iterator[Consequenc
                     except Undefined:
                         continue
                     what_if = _what_if(key, truth, rule, own)
+                    turned = partial(_turned_in_order, key, truth, rule, own)
                     yield Consequence(
-                        values, parts, what_if, partial(_moved, work, own, given.written, values)
+                        values, parts, what_if, partial(_moved, work, own, given.written, values), turned
                     )
 
 
@@ -155,7 +159,8 @@ def _by_paths(key: Key, truth: Truth, given: FromStudent) -> Iterator[Consequenc
             values = work(own)
         except Undefined:
             continue
-        yield Consequence(values, wrong, None, partial(_moved, work, own, given.written, values))
+        turned = partial(_turned_along, key, truth, path, own)
+        yield Consequence(values, wrong, None, partial(_moved, work, own, given.written, values), turned)
 
 
 def _along(key: Key, truth: Truth, path: Way, own: Mapping[str, Values]) -> Values:
@@ -192,6 +197,38 @@ def _moved(
                 with suppress(Undefined):
                     found.append(work({**own, part: moved}))
             yield max(found, key=lambda each: math.dist(each, values))
+
+
+def _turned_in_order(
+    key: Key, truth: Truth, rule: Rule | None, held: Mapping[str, Values]
+) -> Iterator[Values]:
+    own = rule or key.find(truth).local
+    for trees in _with_a_sign_turned(own.trees) if isinstance(own, ClosedForms) else ():
+        with suppress(Undefined):
+            yield _replayed(key, truth, ClosedForms(trees), held)
+
+
+def _turned_along(key: Key, truth: Truth, path: Way, own: Mapping[str, Values]) -> Iterator[Values]:
+    for trees in _with_a_sign_turned(path.trees):
+        with suppress(Undefined):
+            yield _along(key, truth, replace(path, trees=trees), own)
+
+
+def _with_a_sign_turned(trees: tuple[Expr, ...]) -> Iterator[tuple[Expr, ...]]:
+    """The formulas with one term of one sum taken away instead of added, or the other way round."""
+    for place, tree in enumerate(trees):
+        for other in islice(_turns(tree), MOST_TURNED):
+            yield (*trees[:place], other, *trees[place + 1 :])
+
+
+def _turns(tree: Expr) -> Iterator[Expr]:
+    below = children(tree)
+    for place, part in enumerate(below):
+        if isinstance(tree, Sum):
+            other = part.term if isinstance(part, Negative) else Negative(part)
+            yield Sum((*below[:place], other, *below[place + 1 :]))
+        for other in _turns(part):
+            yield rebuilt(tree, (*below[:place], other, *below[place + 1 :]))
 
 
 def degenerate(values: Values, truth: Truth, *, named: bool = False) -> bool:
