@@ -254,3 +254,72 @@ def test_the_letter_of_another_body_is_asked_about(key):
 def test_an_equation_for_an_angle_is_solved_for_it(key, code, part, text, right):
     verdict = judge(key(code), {part: from_json(text)})[part][0][0]
     assert isinstance(verdict, Right) is right, verdict
+
+
+INVERSES = [
+    ("S12.5pi", "b", "K0/K1 = 2.5", "K1/K0 = 0.4"),
+    ("S12.5pi", "b", "K_before/K_after = 2.5", "K_after/K_before = 0.4"),
+    ("X12.9", "c", "J_s/J_e = 1/2", "J_e/J_s = 2"),
+    ("X12.9", "c", "J_st/J_el=0.5", "J_el/J_st = 2"),
+    ("E12.5.1", "b", "K0 - K1 = 296.9 J", "K1 - K0 = -296.9 J"),
+    ("E12.5.1", "b_rel", "K0/ΔK = -1.01", "ΔK/K0 = -0.990099"),
+    ("X12.5", "a", "p0 - p1 = -8.6 kg m/s", "p1 - p0 = 8.6"),
+    ("X12.5", "a", "p_i - p_f = -8.6 kg m/s", "p_f - p_i = 8.6"),
+    ("T12.3", "b", "p0 - p1 = -693", "p1 - p0 = 693"),
+    ("S12.2", "a", "-p = (-7.5, 10)", "p = (7.5, -10)"),
+    ("S12.2", "a", "2p = (15, -20) kg m/s", "p = (7.5, -10)"),
+    ("S12.2", "a", "p/2 = (3.75; -5)", "p = (7.5, -10)"),
+    ("S12.2", "a", "½p = (3.75, -5)", "p = (7.5, -10)"),
+]
+
+
+@pytest.mark.parametrize(("code", "part", "text", "said"), INVERSES)
+def test_a_true_statement_of_the_inverse_is_right_and_what_it_gives_is_said(key, code, part, text, said):
+    verdict = judge(key(code), {part: from_json(text)})[part][0][0]
+    assert isinstance(verdict, Right), verdict
+    assert said in verdict.note
+
+
+@pytest.mark.parametrize(
+    ("code", "part", "text"),
+    [
+        ("S12.5pi", "b", "K0/K1 = 0.4"),
+        ("S12.5pi", "b", "p0/K1 = 2.5"),
+        ("S12.5pi", "b", "K2/K1 = 2.5"),
+        ("S12.5pi", "b", "(K0-K1)/K0 = 0.4"),
+        ("S12.5pi", "b", "K0/K1 = 0"),
+        ("X12.9", "c", "J_st/J_el = 2"),
+        ("X12.9", "c", "m/M = 0.5"),
+        ("X12.9", "c", "J_2/J_1 = 0.5"),
+        ("E12.5.1", "b", "K0 - K1 = -296.9 J"),
+        ("E12.5.1", "b", "K0 - p1 = 296.9 J"),
+        ("E12.5.1", "b_rel", "K0/ΔK = -0.990"),
+        ("X12.5", "a", "p0 - p1 = 8.6"),
+        ("X12.5", "a", "p0 - v1 = -8.6"),
+        ("S12.5el", "c", "K_A1/K_A0 = 0.96"),
+        ("S12.4", "b", "J/p = 0.0001"),
+        ("S12.2", "a", "-p = (7.5, -10)"),
+        ("S12.2", "a", "2p = (7.5, -10)"),
+        ("S12.2", "a", "2vx = (15, -20)"),
+        ("S12.2", "a", "-p = 2p = (15, -20)"),
+        ("S12.2", "a", "1/p = (0.133, -0.1)"),
+        ("S12.2", "a", "-|p| = (-7.5, 10)"),
+        ("S12.5nc", "a", "-v = (1.732, 1)"),
+    ],
+)
+def test_what_is_no_inverse_of_the_answer_earns_nothing_unseen(key, code, part, text):
+    assert not isinstance(judge(key(code), {part: from_json(text)})[part][0][0], Right)
+
+
+@pytest.mark.parametrize(
+    "text", ["E_lost = 296.9 J", "E_lost=296.9 J", "K_{loss} = 296.9 J", "Q_verlust: 296.9 J"]
+)
+def test_a_letter_with_a_loss_as_its_index_is_a_loss(key, text):
+    assert isinstance(judge(key("E12.5.1"), {"b": from_json(text)})["b"][0][0], Right)
+
+
+@pytest.mark.parametrize(
+    "text", ["E_kin = 296.9 J", "E_left = 296.9 J", "E_lot = 296.9 J", "v_lost = 296.9 J"]
+)
+def test_another_index_is_no_loss(key, text):
+    assert not isinstance(judge(key("E12.5.1"), {"b": from_json(text)})["b"][0][0], Right)

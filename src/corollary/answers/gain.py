@@ -34,6 +34,10 @@ INTO_HEAT = re.compile(
     r"(?:becomes?|became|goes|go|went|turns?|turned|changed|converted|transformed|dissipated)(?: in)?(?: ?to| as)? (?:heat|thermal energy|internal energy))\)?\.?\s*$",
     re.IGNORECASE,
 )
+INDEXED = re.compile(  # `E_lost = 205 J`
+    r"^\s*[EKQUW]_?\{?(?P<word>lost|loss|dissipated|verlust|verloren|tapt|tap)\}?\s*[:=≈]\s*(?=[-+]?\s*[0-9.,])",
+    re.IGNORECASE,
+)
 # The loss itself is asked for: then what is lost is positive.
 ASKED_AS_LOSS = re.compile(
     r"\b(?:lost|loss|losses|loses|dissipated|given (?:away|off)|verlust|verloren|tap|tapt)\b", re.IGNORECASE
@@ -51,7 +55,13 @@ class Gain:
 
 def gain_in(text: str, question: Question) -> Gain | None:
     """What a text of bounded length says is gained or lost, if anything. A loss is negative, unless the loss is asked for."""
-    found = BEFORE.search(text) or VERB.search(text) or BEHIND.search(text) or INTO_HEAT.search(text)
+    found = (
+        INDEXED.search(text)
+        or BEFORE.search(text)
+        or VERB.search(text)
+        or BEHIND.search(text)
+        or INTO_HEAT.search(text)
+    )
     if found is None:
         return None
     word = found["word"].lower()

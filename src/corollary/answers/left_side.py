@@ -129,6 +129,21 @@ def gives_what_is_asked(side: str, expected: Dimension, question: Question | Non
     return len(customary) == len(used) and dimension_of(tree, {**customary, **givens}) == expected
 
 
+def turned_over(side: str, expected: Dimension, question: Question | None) -> Solved | None:
+    """The very quotient or difference that the question asks for, out of a side that has it upside down: `K0/K1`, `p0 - p1`."""
+    if question is None:
+        return None
+    if (over := RATIO.fullmatch(side)) is not None and expected == ONE:
+        one, other = over["one"], over["other"]
+        certain = _is_over(other, one, question) and not _is_over(one, other, question)
+        return Solved(f"{other}/{one}", function="1/") if certain else None
+    if (between := DIFFERENCE.fullmatch(side)) is not None and CHANGE.search(question.title):
+        one, other = between["one"], between["other"]
+        certain = _is_later(other, one) and not _is_later(one, other)
+        return Solved(f"{other} - {one}", Fraction(-1)) if certain else None
+    return None
+
+
 def _is_later(one: str, other: str) -> bool:
     """True if both are the same letter, the first later than the second: `p_1` and `p_0`, `K'` and `K`."""
     first, second = _bare(one), _bare(other)

@@ -19,6 +19,7 @@ from corollary.answers.left_side import (
     named,
     solvable,
     solved_value,
+    turned_over,
     turns,
     unknown_letter,
 )
@@ -191,6 +192,8 @@ def _beside_sides(
         return ()
     if wanted.is_angle and (turned := next((side for side in unread if turns(solvable(side, question))), "")):
         return _asked_about(turned, last, wanted, question)
+    if len(unread) == 1 and (over := turned_over(unread[0], wanted.dimension, question)) is not None:
+        return _solved(unread[0], over, last)
     stand_for_it = [gives_what_is_asked(side, wanted.dimension, question) for side in unread]
     if any(stand_for_it):
         return tuple(each for each in stand_for_it if not isinstance(each, bool))
@@ -208,8 +211,14 @@ def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | No
         or not (of_angle or unknown_letter(found.name, question))
     ):
         return ParseError("asked", why, None, _("write one number and a unit"))
+    return _solved(side, found, last)
+
+
+def _solved(side: str, found: Solved, last: Reading) -> ParseError:
+    """What a left side gives for the letter it is solved for, to be judged in its place and said."""
     value = solved_value(found, in_si(last) if found.function else float(last.value))
     if value is None:
+        why = _("{side} stands on the left, not the answer alone", side=side)
         return ParseError("asked", why, None, _("write one number and a unit"))
     if turns(found):
         value, its_unit = math.degrees(value), " deg"

@@ -12,14 +12,16 @@ from corollary.answers.answer import Answer, Blank, Formulas, Letter, Numbers, U
 from corollary.answers.components import are_axes, labelled, place_named
 from corollary.answers.direction import LONGEST, axis_named, beside_axis, with_direction
 from corollary.answers.formula import as_typed
+from corollary.answers.left_side import solvable, unknown_letter
 from corollary.answers.numbers import PLACEHOLDERS, from_reading, scalar, turned_away
 from corollary.answers.quantity import Reading, components_in, read_quantities, read_quantity
 from corollary.answers.question import Question
 from corollary.formula.ast import Expr, Number
 from corollary.formula.errors import ParseError, sentence
+from corollary.formula.numerals import decimal_text
 from corollary.formula.value import Exact, Items, Named, Nothing, Refused, Text, Value
-from corollary.messages import catalogue
-from corollary.units.unit import ONE, Unit
+from corollary.messages import catalogue, in_convention
+from corollary.units.unit import ONE, Unit, show
 
 _ = catalogue(__name__)
 
@@ -114,6 +116,8 @@ def _in_one_text(text: str, question: Question) -> Read:
         and (one := _along_one_axis(text, question)) is not None
     ):
         return one  # `1,6 Ns upwards`
+    if (multiple := _multiple(text, question)) is not None:
+        return multiple
     found = read_quantities(text, question.unit, count, question.components, question)
     if not isinstance(found, ParseError):
         return _together([from_reading(each, question.unit) for each in found])
@@ -143,6 +147,29 @@ def _chosen(doubt: ParseError, question: Question) -> tuple[Numbers, ...]:
         if isinstance(one, tuple)
     )
     return tuple(each for each in found if isinstance(each, Numbers))
+
+
+def _multiple(text: str, question: Question) -> Unclear | None:
+    """`2p = (15, -20)`, `-p = …`, solved for its letter and asked about."""
+    side, equals, right = text.partition("=")
+    if not equals or "=" in right or len(text) > LONGEST:
+        return None
+    found = solvable(side, question)
+    if found is None or found.function or found.factor == 1 or not unknown_letter(found.name, question):
+        return None
+    inside = _in_one_text(right.strip(), question)
+    if not isinstance(inside, Numbers):
+        return None
+    values = tuple(float(found.factor) * value for value in inside.values)
+    shown = ", ".join(decimal_text(Fraction(f"{value / question.unit.si:.6g}"), 0) for value in values)
+    why = _(
+        "{side} = {value} gives {name} = {choice}",
+        side=side.strip(),
+        value=inside.as_read,
+        name=found.name,
+        choice=in_convention(f"({shown}) {show(question.unit)}".strip()),
+    )
+    return Unclear(why, as_typed(text), (replace(inside, values=values, polar=None),), benefit=True)
 
 
 def _by_direction(pieces: list[str], components: tuple[str, ...]) -> list[str]:
