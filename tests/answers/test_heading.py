@@ -28,7 +28,7 @@ def read(typed, part=VALUE):
 @pytest.mark.parametrize(
     ("typed", "value"),
     [
-        ("3 kg m/s to the right", 3), ("3 kg m/s to the left", -3), ("-3 kg m/s to the left", -3), ("3 Ns downwards", -3), ("3 Ns (up)", 3),
+        ("3 kg m/s to the right", 3), ("3 kg m/s to the left", -3), ("-3 kg m/s (to the left)", -3), ("-3 Ns, i.e. downwards", -3), ("3 Ns downwards", -3), ("3 Ns (up)", 3),
         ("3 Ns in the positive direction", 3), ("3 Ns in the negative x-direction", -3), ("3 Ns, backwards.", -3),
     ],
 )  # fmt: skip
@@ -45,7 +45,14 @@ def test_a_formula_turns_too():
 
 @pytest.mark.parametrize(
     "typed",
-    ["-3 Ns to the right", "3 Ns in the direction of the kick", "3 Ns away from the wall", "-3 Ns gained"],
+    [
+        "-3 Ns to the right",
+        "-3 kg m/s to the left",
+        "-3 Ns downwards",
+        "3 Ns in the direction of the kick",
+        "3 Ns away from the wall",
+        "-3 Ns gained",
+    ],
 )
 def test_words_that_do_not_tell_the_sign_have_two_readings(typed):
     found = read(typed)

@@ -8,7 +8,7 @@ from corollary.answers.name import is_name, is_talk
 from corollary.answers.quantity import read_quantity
 from corollary.answers.questions import question_of
 from corollary.answers.read_case import read_case
-from corollary.answers.verdict import Right
+from corollary.answers.verdict import Right, Wrong
 from corollary.formula.errors import ParseError
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
@@ -323,3 +323,36 @@ def test_a_letter_with_a_loss_as_its_index_is_a_loss(key, text):
 )
 def test_another_index_is_no_loss(key, text):
     assert not isinstance(judge(key("E12.5.1"), {"b": from_json(text)})["b"][0][0], Right)
+
+
+@pytest.mark.parametrize(
+    ("code", "part", "text"),
+    [
+        ("S12.2", "c", "!A"),
+        ("S12.2", "c", "!(A)"),
+        ("S12.2", "c", "it is !A"),
+        ("X12.5", "c", "86 N more"),
+        ("X12.5", "c", "86 N mehr"),
+        ("E12.7.2", "b", "301.2 kg more"),
+        ("S12.2", "a", "7.5 right, -10 down"),
+        ("S12.2", "a", "-7.5 left, -10"),
+        ("S12.4", "a", "-0.049 Ns downwards"),
+    ],
+)
+def test_what_takes_back_compares_or_has_two_signs_is_asked(key, code, part, text):
+    assert not isinstance(judge(key(code), {part: from_json(text)})[part][0][0], Right | Wrong)
+
+
+@pytest.mark.parametrize(
+    ("code", "part", "text"),
+    [
+        ("S12.2", "c", "A!"),
+        ("X12.5", "a", "8.6 kg m/s more"),
+        ("X12.9", "c", "2 times more"),
+        ("S12.2", "a", "7.5 right, 10 down"),
+        ("S12.4", "a", "0.049 Ns downwards"),
+        ("S12.4", "a", "-0.049 Ns (downwards)"),
+    ],
+)
+def test_and_what_does_not_is_right(key, code, part, text):
+    assert isinstance(judge(key(code), {part: from_json(text)})[part][0][0], Right)

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
 from corollary.answers.gain import gain_in
+from corollary.answers.left_side import CHANGE
 from corollary.answers.motion_words import way_behind
 from corollary.answers.positive_direction import REFERENCE_LINE, line_of, sign_of_way, sign_of_words
 from corollary.answers.preamble import reason_in, without_reason
@@ -18,7 +19,7 @@ from corollary.answers.sign_words import AXIS_OF, SIGNS
 from corollary.formula.ast import Negative
 from corollary.formula.value import Text, Value
 from corollary.messages import catalogue
-from corollary.units.unit import unit
+from corollary.units.unit import ONE, unit
 
 _ = catalogue(__name__)
 
@@ -62,6 +63,7 @@ TOWARDS = re.compile(
     re.IGNORECASE,
 )
 
+EXPLAINS = re.compile(r"\s*[,;(]|\s+(?:i\.e|that is|meaning|so)\b", re.IGNORECASE)  # `-3 N (to the left)`
 WAYS = "|".join(sorted(SIGNS, key=len, reverse=True))
 TWO_WAYS = re.compile(  # `(positive, up)`
     rf"[\s,;(]+(?:to the |in the )?(?P<way>{WAYS})(?:[ -]direction)?\s*(?:[,;/]|\band\b|\bi\.?e\.?,?|=|\()\s*(?:so |that is,? )?(?:to the )?(?P<other>{WAYS})\s*\)*\.?\s*$",
@@ -121,7 +123,10 @@ def with_direction(
         answer = read(value)
         return _remarked(value.text, answer, question, read, component) if _is_unread(answer) else answer
     if gain := gain_in(value.text, question):
-        return _signed(read(Text(gain.text)), gain.sign, gain.word)
+        answer = read(Text(gain.text))
+        if gain.compares and not CHANGE.search(question.title):
+            return _more_than_what(answer, gain.word, question)
+        return _signed(answer, gain.sign, gain.word)
     angle = question.unit.text in ("rad", "deg")
     text = value.text if angle else way_behind(value.text)
     found = turn_of(text) if angle else direction_of(text, directed(question), component, question.positive)
@@ -134,7 +139,25 @@ def with_direction(
         remarked = _remarked(value.text, answer, question, read, component) if _is_unread(answer) else answer
         if found is None or not _is_unread(remarked):
             return remarked
-    return _either(answer, found.words) if found.sign is None else _signed(answer, found.sign, found.words)
+    if found.sign is None or (_has_minus(answer) and not EXPLAINS.match(text.removeprefix(found.text))):
+        return _either(answer, found.words)
+    return _signed(answer, found.sign, found.words)
+
+
+def _has_minus(answer: Answer) -> bool:
+    """True of a number with a sign of its own, beside which words are a second one."""
+    return isinstance(answer, Numbers) and len(answer.values) == 1 and answer.values[0] < 0
+
+
+def _more_than_what(answer: Answer, word: str, question: Question) -> Answer:
+    """`86 N more` where no change is asked for: that much, or that much more; of `100 %` more the whole is 200 %."""
+    match answer:
+        case Numbers((value,)):
+            why = _("it is not clear what “{word}” compares with; write the number that is asked", word=word)
+            whole = (replace(answer, values=(1 + value,)),) if question.unit.dimension == ONE else ()
+            return Unclear(why, f"{answer.as_read} {word}", (answer, *whole))
+        case _:
+            return answer
 
 
 def _remarked(

@@ -12,6 +12,8 @@ LOSSES = (
     "verlust verliert verlieren verloren abnahme tap taper tapt mister mistet less weniger mindre"
 )
 GAINS = "gains gained gain increases increased increase gewinn zunahme økning more mehr mer"
+COMPARING = "more mehr mer"
+TIMES = re.compile(r"\b(?:times|mal|ganger)\s*$", re.IGNORECASE)  # `2 times more` is 2
 WORDS = "|".join(f"{LOSSES} {GAINS}".split())
 WHAT = r"(?:in |of )?(?:the |its |their )?(?:total |kinetic |mechanical |internal )*(?:energy|momentum|speed|velocity|K)"
 BEFORE = re.compile(
@@ -46,11 +48,13 @@ ASKED_AS_LOSS = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class Gain:
-    """A text without its word for gain or loss, the sign that the word gives, and the word."""
+    """A text without its word for gain or loss, the sign that the word gives, and the word; whether it says that there is more than
+    of something else."""
 
     text: str
     sign: int
     word: str
+    compares: bool
 
 
 def gain_in(text: str, question: Question) -> Gain | None:
@@ -69,4 +73,9 @@ def gain_in(text: str, question: Question) -> Gain | None:
     if ASKED_AS_LOSS.search(question.title):
         sign = -sign
     without = OF_ENERGY.sub("", text[: found.start()] + text[found.end() :])
-    return Gain(without, sign, found[0].strip(" ,;().:=≈\t\n"))
+    return Gain(
+        without,
+        sign,
+        found[0].strip(" ,;().:=≈\t\n"),
+        word in COMPARING.split() and not TIMES.search(without),
+    )

@@ -30,6 +30,8 @@ LETTER = re.compile(
     re.IGNORECASE,
 )
 
+DENIED = re.compile(r"\s*!|.*[\s(\[\"']!(?=[(\[\"']*\w)", re.DOTALL)  # `!A` is any other; `A!` is A
+
 LABEL = re.compile(
     r"\s*[\[(]?(?P<letter>[A-Za-z])(?:\s*[).:\]–-]+\s*(?=\S)|\s+(?=\())|\s*(?:option|answer)\s+(?P<word>[A-Za-z])\s*[).:,–-]*\s+",
     re.IGNORECASE,
@@ -61,6 +63,8 @@ class ChoiceType(AnswerType):
             case Text(text) if text.strip() in PLACEHOLDERS:
                 return Blank()
             case Text(text) if len(text) > LONGEST:
+                return Unclear(wanted, text.strip()[:40])
+            case Text(text) if DENIED.match(text):
                 return Unclear(wanted, text.strip()[:40])
             case Text(text):
                 meant = _by_its_words(text, question)
