@@ -54,7 +54,7 @@ class Gain:
     text: str
     sign: int
     word: str
-    compares: bool
+    compares: bool = False
 
 
 def gain_in(text: str, question: Question) -> Gain | None:
