@@ -14,6 +14,7 @@ from corollary.answers.arithmetic_answer import worked_out
 from corollary.answers.components import are_axes, in_one_line, pieces_of, unread_side, without_preamble
 from corollary.answers.doubts import TABLE, doubtful
 from corollary.answers.left_side import (
+    Solved,
     gives_what_is_asked,
     is_another_given,
     named,
@@ -193,7 +194,7 @@ def _beside_sides(
     if wanted.is_angle and (turned := next((side for side in unread if turns(solvable(side, question))), "")):
         return _asked_about(turned, last, wanted, question)
     if len(unread) == 1 and (over := turned_over(unread[0], wanted.dimension, question)) is not None:
-        return _solved(unread[0], over, last)
+        return _solved(unread[0], over, last, wanted)
     stand_for_it = [gives_what_is_asked(side, wanted.dimension, question) for side in unread]
     if any(stand_for_it):
         return tuple(each for each in stand_for_it if not isinstance(each, bool))
@@ -211,10 +212,10 @@ def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | No
         or not (of_angle or unknown_letter(found.name, question))
     ):
         return ParseError("asked", why, None, _("write one number and a unit"))
-    return _solved(side, found, last)
+    return _solved(side, found, last, wanted)
 
 
-def _solved(side: str, found: Solved, last: Reading) -> ParseError:
+def _solved(side: str, found: Solved, last: Reading, wanted: Unit) -> ParseError:
     """What a left side gives for the letter it is solved for, to be judged in its place and said."""
     value = solved_value(found, in_si(last) if found.function else float(last.value))
     if value is None:
@@ -232,9 +233,8 @@ def _solved(side: str, found: Solved, last: Reading) -> ParseError:
         name=found.name,
         choice=choice,
     )
-    return ParseError(
-        "asked", why, None, _("type the angle") if of_angle else _("write the answer alone"), (choice,)
-    )
+    how = _("type the angle") if turns(found) and wanted.is_angle else _("write the answer alone")
+    return ParseError("asked", why, None, how, (choice,))
 
 
 def _agree(one: Reading, other: Reading) -> bool:
