@@ -161,13 +161,13 @@ def _multiple(text: str, question: Question) -> Unclear | None:
     if not isinstance(inside, Numbers):
         return None
     values = tuple(float(found.factor) * value for value in inside.values)
-    shown = ", ".join(decimal_text(Fraction(f"{value / question.unit.si:.6g}"), 0) for value in values)
+    numbers = ", ".join(decimal_text(Fraction(f"{value / question.unit.si:.6g}"), 0) for value in values)
     why = _(
         "{side} = {value} gives {name} = {choice}",
         side=side.strip(),
         value=inside.as_read,
         name=found.name,
-        choice=in_convention(f"({shown}) {show(question.unit)}".strip()),
+        choice=in_convention(f"({numbers}) {show(question.unit)}".strip()),
     )
     return Unclear(why, as_typed(text), (replace(inside, values=values, polar=None),), benefit=True)
 

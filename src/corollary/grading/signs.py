@@ -58,10 +58,8 @@ def size_asked(part: Part) -> str:
 def _asks_for_size(solution: Solution, place: int) -> bool:
     """True if the title or the question asks for a speed, a magnitude, or a positive number."""
     part = solution.problem.part(solution.unknowns[place].part)
-    plain = part.text.replace("*", "")
-    return any(
-        pattern.search(text) for pattern, text in ((SIZE, part.title), (ASKED, plain), (AS_SIZE, plain))
-    )
+    text = part.text.replace("*", "")
+    return bool(SIZE.search(part.title) or ASKED.search(text) or AS_SIZE.search(text))
 
 
 def _is_length(solution: Solution, place: int) -> bool:
