@@ -169,7 +169,7 @@ def test_one_wrong_answer_after_the_other_is_told_the_law_what_counts_and_a_chec
     key = key_of("X12.5")
     first, second, third, fourth = (told(key, "d", 77.7, count) for count in range(4))
     assert "Think of: Change of momentum" in first
-    assert "Equation numbers are those of the chapter “Momentum, Impulse, and Collisions”" in first
+    assert "(12.29); Mean force (12.22), in “Momentum, Impulse, and Collisions”." in first
     assert "What counts here: the mass of the ball" in second
     assert "A check: type it as a formula of `m`, `v`, `w`, `dt`" in third
     assert fourth == third

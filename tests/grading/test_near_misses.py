@@ -52,7 +52,6 @@ def near(code: str, part: str, answer: Any) -> NearMiss | None:
     ("code", "part", "answer", "kind", "read"),
     [
         ("X12.5", "d", "1.72*102 N", POWER, "172 N"),
-        ("X12.5", "d", "1.72 x 10 2 N", POWER, "172 N"),
         ("X12.5", "a", "8;6", MARK, "8.6"),
         ("X12.5", "a", "8..6 kg m/s", MARK, "8.6 kg m/s"),
         ("X12.5", "a", Items((Exact(8), Exact(6)), (2,)), MARK, "8.6"),

@@ -44,7 +44,7 @@ def advice(key: Key, part: Part) -> tuple[str, ...]:
     steps = _steps(key, asked)
     laws = list(islice(_named(law for step in reversed(steps) for law in step.laws), MOST_LAWS))
     matters = _dependencies(key, asked)
-    sentences = [with_book(_("Think of: {laws}.", laws=_listed(laws)), laws)] if laws else []
+    sentences = [_think_of(laws)] if laws else []
     if not matters and _is_constant(key, asked):
         sentences.append(
             _("What counts here: none of the given numbers; the answer is the same for all of them.")
@@ -57,12 +57,11 @@ def advice(key: Key, part: Part) -> tuple[str, ...]:
     return (*sentences, *filter(None, (_check(key, part, asked, matters),)))
 
 
-def with_book(sentence: str, laws: Iterable[str]) -> str:
-    """The sentence that names laws, and the book whose equation numbers stand behind their names."""
-    if not any(OF_CHAPTER.search(law) for law in laws):
-        return sentence
-    book = _("Equation numbers are those of the chapter “{book}”.", book=CHAPTER)
-    return f"{sentence} {book}"
+def _think_of(laws: list[str]) -> str:
+    """The laws, and the book whose equation numbers stand behind their names."""
+    if any(OF_CHAPTER.search(law) for law in laws):
+        return _("Think of: {laws}, in “{book}”.", laws=_listed(laws), book=CHAPTER)
+    return _("Think of: {laws}.", laws=_listed(laws))
 
 
 def advice_for(key: Key, part: Part, wrong_before: int | None) -> str:
