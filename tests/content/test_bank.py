@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import pytest
 
 from corollary.derive.load import sources
+from corollary.derive.ready_scenes import ready_scenes
 from corollary.problem.bank import Bank, chapter_bank, load
 from corollary.problem.problem import Problem
 from corollary.sandbox.runner import Runner
@@ -47,11 +48,15 @@ def test_verifies_over_many_variants(problem: Problem, runner: Runner) -> None:
 
 
 def test_every_file_of_the_solutions_is_used() -> None:
-    """A solution belongs to a problem; a program lies in a folder named like the solution that shows it, and so do its judges."""
+    """A solution belongs to a problem; a program lies in a folder named like the solution that shows it, and so do its judges. Ready
+    scenes lie in a folder of their own; one that no problem uses is there to be played."""
     folder = BANK.folder / "solutions"
     solutions = {BANK.solution(problem) for problem in PROBLEMS}
     used = {path for problem in PROBLEMS for path in sources(BANK, problem)}
-    assert used == set(folder.rglob("*.py"))
+    scenes = set((folder / "scenes").glob("*.py"))
+    assert used | scenes == set(folder.rglob("*.py"))
+    assert {path.stem for path in scenes - used} <= set(ready_scenes(BANK))
+    used -= scenes
     programs = {path for path in used - solutions if path.parent.with_suffix(".py") in solutions}
     assert {path.name for path in used - solutions - programs} == {"two_bodies.py"}  # two exercises share it
     shown = {path for path in programs if not path.name.startswith("judge_")}
