@@ -44,9 +44,14 @@ def as_ordinary_user(script: str, *arguments: str, folder: Path) -> dict[str, An
         ("Landlock",),
         ("seccomp",),
         ("landlockpy", "pyseccomp"),
-        ("namespaces", "Landlock"),
-        ("namespaces", "seccomp"),
-        ("namespaces", "landlockpy", "pyseccomp"),
+        *(
+            pytest.param(without, marks=pytest.mark.whole)
+            for without in (
+                ("namespaces", "Landlock"),
+                ("namespaces", "seccomp"),
+                ("namespaces", "landlockpy", "pyseccomp"),
+            )
+        ),
     ],
     ids=" ".join,
 )

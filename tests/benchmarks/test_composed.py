@@ -6,6 +6,8 @@ import pytest
 from benchmarks.composed.case import judged
 from benchmarks.scenes_composed import FAMILIES, cases
 
+pytestmark = pytest.mark.whole
+
 EDGES = {"nearly_upright"}
 """Where a motion turns back or goes over by a hair, errors are large and are said to be."""
 

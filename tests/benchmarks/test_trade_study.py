@@ -14,6 +14,8 @@ from trade.study.measured import FAMILIES, Timed, from_rows
 
 from corollary.trade.references import CRADLE_3_HERTZ, SPHERES_DAMPED
 
+pytestmark = pytest.mark.whole
+
 COMMAND = Path(__file__).parents[2] / "benchmarks" / "trade" / "__main__.py"
 
 

@@ -142,7 +142,7 @@ X12_5 = Known(find(chapter_bank(), "X12.5"))
 LETTERS = sorted(X12_5.givens, key=str)
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=40)
 @given(
     st.recursive(
         st.sampled_from([*LETTERS, sympy.Integer(2), sympy.Rational(1, 3)]),

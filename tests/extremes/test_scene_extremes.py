@@ -12,6 +12,8 @@ from corollary.scenes.integrate.regularised import collide
 from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import BadSetting, GuardFailed
 
+pytestmark = pytest.mark.whole
+
 SCENES = ready_scenes()
 
 

@@ -46,7 +46,7 @@ def test_right_by_many_hands(verdicts, code, part, answer):
         ("X12.5", "a", "p = m v = 9.6 kg m/s", Wrong),
         ("X12.5", "a", "9.6 kg m/s = 8.6 kg m/s", Unread),
         ("X12.5", "a", "8.6 kg m/s = 30.96 kg km/h", Right),
-        ("P12.15", "b", "k (b -x)", Right),
+        pytest.param("P12.15", "b", "k (b -x)", Right, marks=pytest.mark.whole),
         ("X12.5", "a", "8.6 kg m/s to the left", Unmarked),
         ("X12.5", "a", "8.6 kg m/s in the direction of the kick", Unmarked),
         ("X12.8", "b", "0.433 m/s to the left", Right),

@@ -11,6 +11,8 @@ from corollary.scenes.run import NEVER_PART, BadSetting
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene
 
+pytestmark = pytest.mark.whole
+
 K, R = 1e4, 0.2
 
 

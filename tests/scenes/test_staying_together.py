@@ -13,6 +13,8 @@ from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene
 
+pytestmark = pytest.mark.whole
+
 R = 0.2
 ASKED = {O.VELOCITIES, O.TRAJECTORY}
 

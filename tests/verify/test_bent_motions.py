@@ -104,7 +104,7 @@ CHECKS = [
 
 @pytest.mark.parametrize(
     ("changes", "by", "bent"),
-    [*CHECKS[:3], *(pytest.param(*each, marks=pytest.mark.whole) for each in CHECKS[3:])],
+    [*CHECKS[:1], *(pytest.param(*each, marks=pytest.mark.whole) for each in CHECKS[1:])],
 )
 def test_what_is_said_to_be_noticed_verify_itself_complains_of(checked, changes, by, bent):
     found = checked(**changes)

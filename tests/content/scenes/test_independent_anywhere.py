@@ -8,6 +8,8 @@ import pytest
 from corollary.derive.ready_scenes import ready_scenes, run
 from corollary.scenes.run import components
 
+pytestmark = pytest.mark.whole
+
 SCENES = ready_scenes()
 
 

@@ -11,6 +11,8 @@ from corollary.scenes.integrate.regularised import collide
 from corollary.scenes.models import modal
 from corollary.scenes.row import RowOfBodies
 
+pytestmark = pytest.mark.whole
+
 integrate = pytest.importorskip("scipy.integrate")
 
 

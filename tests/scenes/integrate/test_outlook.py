@@ -9,6 +9,8 @@ from corollary.scenes.integrate.outlook import rough_steps
 from corollary.scenes.row import RowOfBodies, caught_between, in_units, natural_units
 from corollary.scenes.run import GuardFailed
 
+pytestmark = pytest.mark.whole
+
 
 def followed(line, tolerance):
     return regularised.LaidOut(line, compiled=False).follow(tolerance)

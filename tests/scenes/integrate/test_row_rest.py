@@ -15,6 +15,8 @@ from corollary.scenes.integrate.row_rest import creep, lasts_at_least, stays
 from corollary.scenes.row import RowOfBodies, in_units, natural_units
 from corollary.scenes.run import GuardFailed
 
+pytestmark = pytest.mark.whole
+
 FADED = 1e-6
 
 

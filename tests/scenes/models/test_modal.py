@@ -14,6 +14,8 @@ from corollary.scenes.models.modal import collide
 from corollary.scenes.row import RowOfBodies, conserved
 from corollary.scenes.run import GuardFailed
 
+pytestmark = pytest.mark.whole
+
 REFERENCES = json.loads((Path(__file__).parent.parent / "references.json").read_text())
 
 

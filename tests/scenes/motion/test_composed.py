@@ -16,6 +16,8 @@ from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene
 
+pytestmark = pytest.mark.whole
+
 NAIL = Body(math.inf, (0.0,), (0.0,))
 
 

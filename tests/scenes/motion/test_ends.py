@@ -16,6 +16,8 @@ from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, GuardFailed, Observable, Run, components
 from corollary.scenes.scene import Body, Force, Scene
 
+pytestmark = pytest.mark.whole
+
 G = 9.8
 
 

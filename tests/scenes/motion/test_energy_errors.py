@@ -18,6 +18,8 @@ from corollary.scenes.run import GuardFailed
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene
 
+pytestmark = pytest.mark.whole
+
 TOLERANCES = (1e-2, 1e-6, 1e-10, 1e-13)
 
 

@@ -10,6 +10,8 @@ from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene
 
+pytestmark = pytest.mark.whole
+
 G = 9.8
 TOLERANCES = (1e-6, 1e-8, 1e-10, 1e-12)
 

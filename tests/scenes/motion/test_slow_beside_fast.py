@@ -11,6 +11,8 @@ from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene
 
+pytestmark = pytest.mark.whole
+
 MU, G = 0.3, 9.8
 BOTH = {O.VELOCITIES, O.TRAJECTORY}
 

@@ -12,6 +12,8 @@ from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene
 
+pytestmark = pytest.mark.whole
+
 
 @pytest.mark.parametrize("stiffness", [1e4, 1e6, 1e8, 1e10])
 @pytest.mark.parametrize("share", [0.3, 0.6, 0.9])

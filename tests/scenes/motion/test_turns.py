@@ -24,6 +24,8 @@ from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, Observable, components
 from corollary.scenes.scene import Scene
 
+pytestmark = pytest.mark.whole
+
 
 @pytest.mark.parametrize("height", [0.7, 1.0, 2.0])
 @pytest.mark.parametrize("flights", [2.2, 2.7, 3.7, 6.1])

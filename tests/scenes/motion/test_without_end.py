@@ -18,6 +18,8 @@ from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene
 
+pytestmark = pytest.mark.whole
+
 NAIL = Body(math.inf, (0.0,), (0.0,))
 G = 9.8
 
