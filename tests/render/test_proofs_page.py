@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from corollary.cli.verify import write_report
 from corollary.problem.bank import find, open_bank
+from corollary.render.proofs_page import write_report
 from corollary.verify.verify import verify
 
 

@@ -5,20 +5,16 @@ from __future__ import annotations
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from corollary.atomic import write_whole
 from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse, say
 from corollary.cli.local_page import edition
 from corollary.cli.terminal import bar, console
-from corollary.derive.load import NotDerivable
-from corollary.formula.ball import Undefined
 from corollary.grading.replay import forget_scenes
-from corollary.grading.solutions import Solutions
 from corollary.problem.bank import Bank, bank_of, home, home_of_file, open_bank, readable
 from corollary.problem.count import written
 from corollary.problem.diagnostic import Malformed
@@ -26,43 +22,17 @@ from corollary.problem.front_matter import split
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import bank_of_set, find_set, set_names
 from corollary.problem.reader import read_problem
-from corollary.problem.variant import chapter
-from corollary.render.proofs_page import VerifiedProblem, proofs_page
 from corollary.verify.checked import Checked
 from corollary.verify.cluster import on_cluster
 from corollary.verify.expected_answers import unexpected
-from corollary.verify.extremes import push
 from corollary.verify.mutation.record import MutationScore
 from corollary.verify.obligations.obligation import REDRAWN, Settled
-from corollary.verify.over_the_grid import answer_plots
 from corollary.verify.programs import unstarted
 from corollary.verify.sets import CheckedSet, check_set
 from corollary.verify.side_by_side import verify_each
 from corollary.verify.unchanged import verify_changed
 from corollary.verify.verify import SLOW, Verification
 from corollary.verify.words.unread import unread_of_all
-
-
-def write_report(file: Path, todo: Sequence[tuple[Bank, Problem]], found: Sequence[Checked]) -> None:
-    """One page for all problems, in their order."""
-    pages = [
-        _of_problem(bank, problem, checked) for (bank, problem), checked in zip(todo, found, strict=True)
-    ]
-    write_whole(file, proofs_page(pages).encode())
-
-
-def _of_problem(bank: Bank, problem: Problem, checked: Checked) -> VerifiedProblem:
-    try:
-        solutions = Solutions(bank)
-        solution = solutions.of(problem)
-        worst = push(solution)
-        worked = solutions.worked_solution(chapter(problem))
-        return VerifiedProblem(
-            problem, checked, worked, tuple(answer_plots(solution)), worst.worst, worst.where
-        )
-    except (NotDerivable, Undefined):  # the complaints say why
-        return VerifiedProblem(problem, checked, "", (), 0.0, "")
-
 
 PAUSE = 0.1  # s between looks at the files
 
@@ -178,6 +148,8 @@ def run(
             found.append(each)
     ok = not broken and all(each.ok for each in found)
     if report is not None:
+        from corollary.render.proofs_page import write_report  # with its plots
+
         write_report(report, todo, found)
     if as_json:
         answer(
