@@ -1,4 +1,4 @@
-"""Rest and motion in words, for one body or several: `A stops, B moves at 4 m/s`, `A goes back at 4 m/s`, `he is at rest`."""
+"""Rest and motion in words, for one body or several: `A stops, B moves at 4 m/s`, `he is at rest`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The uncertainty beside a value, `8.6 ± 0.1 N` or `8.6 N ± 2 %`, parted from it; in brackets, `65.0(5) N`, it is asked about."""
+"""The uncertainty beside a value, parted from it: `8.6 ± 0.1 N`, `8.6 N ± 2 %`; in brackets, `65.0(5) N`, it is asked about."""
 
 from __future__ import annotations
 

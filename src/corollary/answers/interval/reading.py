@@ -1,4 +1,4 @@
-"""Intervals, asked for and read: `-0.2 m to 0.2 m`, `[-0.2, 0.2] m`, `-0.2 m < x < 0.2 m`, `5.0 ± 0.2 m`, a list of two."""
+"""Intervals, asked for and read: `-0.2 m to 0.2 m`, `[-0.2, 0.2] m`, `5.0 ± 0.2 m`, a list of two."""
 
 from __future__ import annotations
 
