@@ -73,20 +73,14 @@ def bound_in(text: str) -> TypedBound | None:
     if len(text) > LONGEST or HINT.search(text) is None:
         return None
     typed = by_hand(text)
-    for pattern, fits in (
-        (IN_WORDS, "match"),
-        (IN_SIGNS, "match"),
-        (SIGN_BEHIND, "search"),
-        (BEHIND, "search"),
-    ):
-        found = pattern.match(typed) if fits == "match" else _last(pattern, typed)
-        if found is None:
-            continue
-        rest = typed[found.end() :] if fits == "match" else typed[: found.start()]
-        if not rest.strip() or ANOTHER.search(rest):
-            return None
-        return TypedBound(rest.strip(), _side(found, behind=fits == "search"), found[0].strip(" ,()"))
-    return None
+    leads = IN_WORDS.match(typed) or IN_SIGNS.match(typed)
+    found = leads or _last(SIGN_BEHIND, typed) or _last(BEHIND, typed)
+    if found is None:
+        return None
+    rest = typed[found.end() :] if leads else typed[: found.start()]
+    if not rest.strip() or ANOTHER.search(rest):
+        return None
+    return TypedBound(rest.strip(), _side(found, behind=not leads), found[0].strip(" ,()"))
 
 
 def bounded(bound: TypedBound, found: Answer, question: Question) -> Answer:

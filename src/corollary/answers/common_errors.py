@@ -98,11 +98,9 @@ RATIOS = (
 def is_directed(unit: Unit) -> bool:
     """True of what points one way or the other wherever it is met: a velocity, a force, a torque; not of a length or an angle, which
     may be a position as well as a size."""
-    if unit.dimension == ENERGY:
-        return TORQUE.search(unit.text) is not None
     if unit.dimension in TURNING:
         return "rad" in unit.text or "deg" in unit.text
-    return unit.dimension in WITH_DIRECTION and unit.dimension != LENGTH
+    return has_direction(unit) and unit.dimension not in (LENGTH, ONE)
 
 
 def has_direction(unit: Unit, title: str = "") -> bool:

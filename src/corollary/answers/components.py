@@ -1,4 +1,4 @@
-"""Vectors in words, taken apart: `(3, 4) m/s`, `3 i + 4 j`, `p_y = 4; p_x = 3`, `5 m/s at 30° above the horizontal`."""
+"""Vectors in words, taken apart: `(3, 4) m/s`, `3 i + 4 j`, `p_y = 4; p_x = 3`, `5 m/s at 30°`."""
 
 from __future__ import annotations
 
@@ -258,7 +258,7 @@ def _of_the_last_alone(pieces: Sequence[str], unit: str, expected: Unit | None) 
         for each in (unit, asked)
     )
     why = _("{unit} stands behind the last number only", unit=unit)
-    return ParseError("asked", why, None, _("write {choices}", choices=_(" or ").join(choices)), choices)
+    return ambiguous(why, None, *choices)
 
 
 def _is_unit(text: str) -> bool:
@@ -373,7 +373,7 @@ def _half_directed(inside: str, unit: str) -> ParseError | None:
     directed = 0 if along[0] else 1
     choice = f"({'; '.join(whole if directed == _axis(way) else whole[::-1])})"
     why = _("a term without a direction stands beside one with a direction")
-    return ParseError("asked", why, None, _("write {choices}", choices=choice), (choice,))
+    return ambiguous(why, None, choice)
 
 
 def _after_unit(text: str) -> tuple[str, str]:

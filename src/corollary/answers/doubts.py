@@ -6,7 +6,7 @@ import re
 
 from corollary.answers.bound import bound_in, of_a_bound
 from corollary.answers.spread import in_brackets
-from corollary.formula.errors import ParseError, refused
+from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)
@@ -66,4 +66,4 @@ def _of_a_power(typed: str) -> ParseError | None:
 def _asked(typed: str, found: re.Match[str], why: str, *meant: str) -> ParseError:
     """The question which of its meanings stands in the place of what was found."""
     choices = tuple(f"{typed[: found.start()]}{each}{typed[found.end() :]}" for each in meant)
-    return ParseError("asked", why, None, _("write {choices}", choices=_(" or ").join(choices)), choices)
+    return ambiguous(why, None, *choices)

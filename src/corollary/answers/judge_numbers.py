@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
@@ -64,18 +64,12 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
         return Right(_exact_value(answer, wanted))
     ways = list(wanted.follow_through())
     turned: list[FollowThrough] = []
-    for way in ways:
-        if _meets(answer, wanted, way.values):
-            if not way.earlier:
-                return Right()
-            if not _has_a_sign_turned(answer, way, question):
-                return Follows(way.earlier)
-            turned.append(way)
-    for way in {(way.values, way.earlier): way for way in ways if way.earlier}.values():
-        if _meets_unrounded(answer, wanted, way):
-            if not _has_a_sign_turned(answer, way, question):
-                return Follows(way.earlier)
-            turned.append(way)
+    for way in _leading_to(answer, wanted, ways):
+        if not way.earlier:
+            return Right()
+        if not _has_a_sign_turned(answer, way, question):
+            return Follows(way.earlier)
+        turned.append(way)
     few = _coarse(answer, wanted, question, wanted.values)
     if few >= ENOUGH:
         return Right()
@@ -115,6 +109,13 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
                     nothing=_guess(answer, question, value, way.values, counted=wanted.counted),
                 )
     return Wrong(_hint(answer, wanted, question))
+
+
+def _leading_to(answer: Numbers, wanted: Quantity, ways: Sequence[FollowThrough]) -> Iterator[FollowThrough]:
+    """The ways that give what was typed; then those from earlier answers that give it where nothing was rounded."""
+    yield from (way for way in ways if _meets(answer, wanted, way.values))
+    carried = {(way.values, way.earlier): way for way in ways if way.earlier}.values()
+    yield from (way for way in carried if _meets_unrounded(answer, wanted, way))
 
 
 def _exact_value(answer: Numbers, wanted: Quantity) -> str:

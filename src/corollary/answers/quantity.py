@@ -35,7 +35,7 @@ from corollary.answers.tolerance import same_value
 from corollary.answers.unit_meant import unit_meant
 from corollary.formula.ast import Expr
 from corollary.formula.by_hand import by_hand
-from corollary.formula.errors import ParseError, refused
+from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.formula.numerals import LONGEST, TO_ASCII, Written, decimal_text, scan_number
 from corollary.messages import catalogue, in_convention
 from corollary.units.unit import ONE, PURE, Dimension, Unit, kind, read_unit, show
@@ -440,7 +440,7 @@ def _bare_beside_unit(found: Sequence[Reading], expected: Unit | None) -> ParseE
         for its_unit in (unit, expected)
     )
     why = _("{number} has no unit beside {other}", number=bare[0].as_read, other=show(unit))
-    return ParseError("asked", why, None, _("write {choices}", choices=_(" or ").join(choices)), choices)
+    return ambiguous(why, None, *choices)
 
 
 def components_in(
