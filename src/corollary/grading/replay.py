@@ -99,16 +99,10 @@ def compute(rule: Rule, values: Letters) -> Values:
         case SceneOutcome(scene, settings, observe, runs, bank):
             at = tuple(number(tree, values) for tree in settings.values())
             if runs is None:
-                return observed(scene, tuple(zip(settings, at, strict=True)), observe, bank)
+                return simulated(scene, tuple(zip(settings, at, strict=True)), observe, bank).values
             if at not in runs:
-                runs[at] = observed(scene, tuple(zip(settings, at, strict=True)), observe, bank)
+                runs[at] = simulated(scene, tuple(zip(settings, at, strict=True)), observe, bank).values
             return runs[at]
-
-
-@lru_cache(maxsize=4096)
-def observed(scene: str, settings: tuple[tuple[str, float], ...], observe: str, bank: str) -> Values:
-    """One observed value of a run, as a tuple. Raises Undefined when the scene refuses."""
-    return simulated(scene, settings, observe, bank).values
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,7 +147,7 @@ def forget_scenes() -> None:
     from corollary.derive.ready_scenes import forget  # only here, as above
 
     forget()
-    for cached in (simulated, observed, _run):
+    for cached in (simulated, _run):
         cached.cache_clear()
 
 
