@@ -20,8 +20,7 @@ from corollary.grading.judge import judge
 from corollary.grading.points import grade
 from corollary.render.exports import target
 from corollary.render.item import ChoiceAsked, NumbersAsked
-from corollary.render.moodle_fields import by_component
-from corollary.render.typed_units import typed_units
+from corollary.render.targets.moodle import by_component, typed_units
 from corollary.units.unit import show
 
 MOODLE = os.environ.get("COROLLARY_MOODLE", "")

@@ -9,9 +9,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from corollary.course import making
-from corollary.course.generate import generate
-from corollary.course.making import makers
+from corollary.course import generate
 from corollary.grading.solutions import Solutions
 from corollary.problem.roster import Student
 from corollary.records.files import create_course
@@ -39,7 +37,7 @@ def made(ball: ChangingBank, name: str, jobs: int) -> dict[str, bytes]:
     folder = ball.folder / name / "course"
     (folder / ".corollary").mkdir(parents=True)
     (folder / ".corollary" / "key").write_bytes(KEY)
-    generate(folder, ball.problem_set, ROSTER, Solutions(ball.bank), jobs=jobs)
+    generate.generate(folder, ball.problem_set, ROSTER, Solutions(ball.bank), jobs=jobs)
     files = [*folder.glob("release/*/week/week.ipynb"), folder / ".corollary" / "assigned" / "week.json"]
     return {str(path.relative_to(folder)): path.read_bytes() for path in files}
 
@@ -63,16 +61,16 @@ def test_a_process_that_is_killed_costs_nothing(ball: ChangingBank, monkeypatch:
     course = create_course(ball.course, ROSTER)
     solutions = Solutions(ball.bank)
     students = [each.id for each in ROSTER]
-    with makers(course, ball.problem_set, solutions, len(students), 1) as by:
+    with generate.makers(course, ball.problem_set, solutions, len(students), 1) as by:
         expected = list(by.draw(students))
-    here, draw = os.getpid(), making._draw
+    here, draw = os.getpid(), generate._draw
 
-    def deadly(by: making.Makers, part: list[str]) -> list[making.Drawn]:
+    def deadly(by: generate.Makers, part: list[str]) -> list[generate.Drawn]:
         if os.getpid() != here and "s09" in part:
             os._exit(1)
         return draw(by, part)
 
-    deadly.__module__, deadly.__qualname__ = making.__name__, "_draw"
-    monkeypatch.setattr(making, "_draw", deadly)
-    with makers(course, ball.problem_set, solutions, len(students), 2) as by:
+    deadly.__module__, deadly.__qualname__ = generate.__name__, "_draw"
+    monkeypatch.setattr(generate, "_draw", deadly)
+    with generate.makers(course, ball.problem_set, solutions, len(students), 2) as by:
         assert list(by.draw(students)) == expected

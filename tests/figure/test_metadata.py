@@ -7,7 +7,7 @@ import io
 import pytest
 from PIL import Image, ImageCms, PngImagePlugin
 
-from corollary.figure.metadata import Damaged, without_metadata
+from corollary.figure.picture import Damaged, without_metadata
 
 GPS, MAKE, ORIENTATION, LATITUDE = 0x8825, 0x010F, 0x0112, 2
 

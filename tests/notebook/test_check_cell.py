@@ -14,7 +14,7 @@ import pytest
 
 from corollary.messages import language
 from corollary.notebook.check import Check
-from corollary.notebook.check_cell import check_source
+from corollary.notebook.notebook import check_source
 from corollary.notebook.worksheet import Worksheet
 
 # What is typed into the answer cell, and what check says then.

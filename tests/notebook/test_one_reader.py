@@ -17,7 +17,7 @@ import pytest
 from corollary.answers.answer import Answer, Blank, Chain, Formulas, Letter, Numbers, Prose, Unclear
 from corollary.answers.registry import answer_type, judging
 from corollary.formula.value import Items, Nothing, Text, Value
-from corollary.notebook.check_cell import check_source
+from corollary.notebook.notebook import check_source
 from corollary.notebook.worksheet import Prompt, Worksheet, worksheet
 from corollary.problem.bank import chapter_bank, load
 from corollary.problem.problem_set import read_set

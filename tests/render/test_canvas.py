@@ -13,10 +13,9 @@ from corollary.messages import language
 from corollary.problem.bank import chapter_bank, home
 from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import at
-from corollary.render.canvas_question import CanvasOption, CanvasQuestion
 from corollary.render.exports import target
 from corollary.render.item import item
-from corollary.render.typed_scale import typed_scale
+from corollary.render.targets.canvas import CanvasOption, CanvasQuestion, typed_scale
 from corollary.units.unit import unit
 
 QTI = "{http://www.imsglobal.org/xsd/ims_qtiasiv1p2}"

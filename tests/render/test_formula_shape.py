@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import pytest
 
-from corollary.render.formula_shape import by_shape
 from corollary.render.mathml import mathml
+from corollary.render.paper.typst_formula import by_shape
 from corollary.render.terminal_text import formula_text
 
 FORMULAS = [

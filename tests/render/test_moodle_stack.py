@@ -13,7 +13,7 @@ from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import at
 from corollary.render.exports import target
 from corollary.render.item import item
-from corollary.render.stack_formula import NotInStack, stack_formula
+from corollary.render.targets.moodle_stack import NotInStack, stack_formula
 
 LETTERS = list("mvghxylaFe")
 SOLUTIONS = Solutions(chapter_bank())

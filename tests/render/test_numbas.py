@@ -13,7 +13,7 @@ from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import at
 from corollary.render.exports import target
 from corollary.render.item import item
-from corollary.render.numbas_parts import entry_of
+from corollary.render.targets.numbas import entry_of
 
 SOLUTIONS = Solutions(chapter_bank())
 

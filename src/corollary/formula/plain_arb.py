@@ -1,17 +1,255 @@
-"""Interval arithmetic in plain Python with python-flint's names (`arb`, `fmpq`, `ctx`), for a browser.
-
-A hundred times as slow, which one answer does not notice. Inverse functions are found by Newton's method, and the last correction is
-what they may be off.
-"""
+"""Interval arithmetic in plain Python with python-flint's names (`arb`, `fmpq`, `ctx`), for a browser."""
 
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from fractions import Fraction
 from typing import Self
 
-from corollary.formula.fixed_point import exp, fixed, log2, pi, sine_and_cosine
-from corollary.formula.plain_balls import DyadicBall, ctx
+from corollary.formula.fixed_point import exp, fixed, log2, pi, sine_and_cosine, whole_root
+
+FINEST = 32  # bits of how far a value may be off
+
+
+class Context:
+    """The working precision, in bits."""
+
+    prec: int = 64
+
+
+ctx = Context()
+
+
+class DyadicBall(ABC):
+    """`whole` times two to the power `exponent`, off by `off` such units at most; with `off` below 0 nothing is known of it."""
+
+    __slots__ = ("exponent", "off", "whole")
+
+    def __init__(self, value: DyadicBall | float | Fraction | str = 0, error: float = 0.0) -> None:
+        self.whole, self.off, self.exponent = 0, 0, 0
+        match value:
+            case DyadicBall():
+                self._take(value)
+            case int():
+                self.whole = value
+            case float() if math.isfinite(value):
+                top, bottom = value.as_integer_ratio()
+                self.whole, self.exponent = top, 1 - bottom.bit_length()
+            case Fraction():
+                self._take(self.of(value.numerator) / value.denominator)
+            case _:
+                self.off = -1
+        if error:
+            self._take(self + self.wider(type(self)(error)))
+
+    def _take(self, other: DyadicBall) -> None:
+        self.whole, self.off, self.exponent = other.whole, other.off, other.exponent
+
+    @classmethod
+    def of(cls, whole: int, off: int = 0, exponent: int = 0) -> Self:
+        made = cls()
+        made.whole, made.off, made.exponent = whole, off, exponent
+        return made
+
+    @classmethod
+    def nothing(cls) -> Self:
+        """What has no value, or one of which nothing is known."""
+        return cls.of(0, -1)
+
+    @classmethod
+    def rounded(cls, whole: int, off: int, exponent: int) -> Self:
+        """To the bits that are set."""
+        spare = max(whole.bit_length() - ctx.prec, off.bit_length() - FINEST)
+        if spare > 0:
+            exact = not off and not whole & ((1 << spare) - 1)
+            whole, off, exponent = whole >> spare, 0 if exact else (off >> spare) + 2, exponent + spare
+        return cls.of(whole, off, exponent)
+
+    @classmethod
+    def between(cls, low: DyadicBall, high: DyadicBall) -> Self:
+        """The ball around two exact ones."""
+        if low.off < 0 or high.off < 0:
+            return cls.nothing()
+        least = min(low.exponent, high.exponent) - 1
+        bottom, top = low.whole << (low.exponent - least), high.whole << (high.exponent - least)
+        return cls.rounded((bottom + top) >> 1, (top - bottom) >> 1, least)
+
+    @classmethod
+    def wider(cls, size: DyadicBall) -> Self:
+        """From minus so much to so much."""
+        most = abs(size).upper()
+        return cls.of(0, most.whole, most.exponent) if most.off >= 0 else cls.nothing()
+
+    def is_finite(self) -> bool:
+        return self.off >= 0
+
+    def is_zero(self) -> bool:
+        return self.whole == 0 == self.off
+
+    def is_integer(self) -> bool:
+        return self.off == 0 and (self.exponent >= 0 or self.whole % (1 << -self.exponent) == 0)
+
+    def contains(self, number: int) -> bool:
+        return not (self < number or self > number)
+
+    def contains_integer(self) -> bool:
+        if self.off < 0 or self.exponent >= 0:
+            return True
+        unit = 1 << -self.exponent
+        return (self.whole + self.off) // unit >= -((self.off - self.whole) // unit)
+
+    def overlaps(self, other: DyadicBall) -> bool:
+        return not (self < other or self > other)
+
+    def mid(self) -> Self:
+        return self.of(self.whole, min(self.off, 0), self.exponent)
+
+    def lower(self) -> Self:
+        return self.of(self.whole - self.off, 0, self.exponent) if self.off >= 0 else self
+
+    def upper(self) -> Self:
+        return self.of(self.whole + self.off, 0, self.exponent) if self.off >= 0 else self
+
+    def width(self) -> Self:
+        """How far the value may lie from the middle."""
+        return self.of(self.off, 0, self.exponent)
+
+    def size(self) -> int:
+        """The power of two that it stays below."""
+        return (abs(self.whole) + self.off).bit_length() + self.exponent
+
+    def union(self, other: DyadicBall) -> Self:
+        return self.between(_smaller(self.lower(), other.lower()), _larger(self.upper(), other.upper()))
+
+    def min(self, other: DyadicBall) -> Self:
+        return self.between(_smaller(self.lower(), other.lower()), _smaller(self.upper(), other.upper()))
+
+    def max(self, other: DyadicBall) -> Self:
+        return self.between(_larger(self.lower(), other.lower()), _larger(self.upper(), other.upper()))
+
+    def __float__(self) -> float:
+        if self.off < 0:
+            return math.nan
+        size, exponent = abs(self.whole), self.exponent
+        if (spare := size.bit_length() - 64) > 0:  # the last bit stands for all that is cut off
+            size, exponent = size >> spare | bool(size & ((1 << spare) - 1)), exponent + spare
+        try:
+            return math.copysign(math.ldexp(float(size), exponent), self.whole)
+        except OverflowError:
+            return math.copysign(math.inf, self.whole)
+
+    def __lt__(self, other: DyadicBall | float) -> bool:
+        return _sign(self.upper(), self._same(other).lower()) == -1
+
+    def __gt__(self, other: DyadicBall | float) -> bool:
+        return _sign(self.lower(), self._same(other).upper()) == 1
+
+    def __le__(self, other: DyadicBall | float) -> bool:
+        return _sign(self.upper(), self._same(other).lower()) in (-1, 0)
+
+    def __ge__(self, other: DyadicBall | float) -> bool:
+        return _sign(self.lower(), self._same(other).upper()) in (1, 0)
+
+    def __neg__(self) -> Self:
+        return self.of(-self.whole, self.off, self.exponent)
+
+    def __abs__(self) -> Self:
+        if self.off < 0 or abs(self.whole) >= self.off:
+            return self.of(abs(self.whole), self.off, self.exponent)
+        return self.between(self.of(0), self.of(abs(self.whole) + self.off, 0, self.exponent))
+
+    def __add__(self, other: DyadicBall | float) -> Self:
+        high, low = self, self._same(other)
+        if high.off < 0 or low.off < 0:
+            return self.nothing()
+        if high.exponent < low.exponent:
+            high, low = low, high
+        up = high.exponent - low.exponent
+        enough = max(0, 2 * ctx.prec + low.whole.bit_length() - high.whole.bit_length()) + 64
+        if up > enough and high.whole and low.off.bit_length() <= low.whole.bit_length():
+            wide = up - enough  # far below: no more than a unit
+            low = self.of(low.whole >> wide, (low.off >> wide) + 2, low.exponent + wide)
+            up = enough
+        return self.rounded((high.whole << up) + low.whole, (high.off << up) + low.off, low.exponent)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: DyadicBall | float) -> Self:
+        return self + -self._same(other)
+
+    def __rsub__(self, other: float) -> Self:
+        return self._same(other) - self
+
+    def __mul__(self, other: DyadicBall | float) -> Self:
+        right = self._same(other)
+        if self.off < 0 or right.off < 0:
+            return self.nothing()
+        off = abs(self.whole) * right.off + abs(right.whole) * self.off + self.off * right.off
+        return self.rounded(self.whole * right.whole, off, self.exponent + right.exponent)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: DyadicBall | float) -> Self:
+        below = self._same(other)
+        size = abs(below.whole)
+        if self.off < 0 or below.off < 0 or size <= below.off:
+            return self.nothing()
+        up = max(0, ctx.prec + 8 + size.bit_length() - self.whole.bit_length())
+        found, rest = divmod(self.whole << up, below.whole)
+        off = self.off * size + abs(self.whole) * below.off
+        if off:
+            off = (off << up) // (size * (size - below.off)) + 1
+        return self.rounded(found, off + bool(rest), self.exponent - below.exponent - up)
+
+    def __rtruediv__(self, other: float) -> Self:
+        return self._same(other) / self
+
+    @abstractmethod
+    def sqrt(self) -> Self: ...
+
+    def power(self, whole: int) -> Self:
+        result, square, left = self.of(1), self, abs(whole)
+        while left:
+            if left & 1:
+                result = result * square
+            square, left = square * square if left > 1 else square, left >> 1
+        return 1 / result if whole < 0 else result
+
+    def root(self, degree: int) -> Self:
+        """Of a ball above 0, or of 0 itself."""
+        if self.is_zero():
+            return self
+        least = self.whole - self.off
+        if self.off < 0 or least <= 0:
+            return self.nothing()
+        up = max(0, degree * (ctx.prec + 8) - self.whole.bit_length())
+        up += (self.exponent - up) % degree
+        raised = self.whole << up
+        found = whole_root(raised, degree)
+        off = -(-(found + 1) * self.off // least) + (found**degree != raised)
+        return self.rounded(found, off, (self.exponent - up) // degree)
+
+    def _same(self, other: DyadicBall | float) -> Self:
+        return other if isinstance(other, type(self)) else type(self)(other)
+
+
+def _sign(left: DyadicBall, right: DyadicBall) -> int | None:
+    """Of the difference of two exact balls; None where it is not known."""
+    if left.off < 0 or right.off < 0:
+        return None
+    least = min(left.exponent, right.exponent)
+    difference = (left.whole << (left.exponent - least)) - (right.whole << (right.exponent - least))
+    return (difference > 0) - (difference < 0)
+
+
+def _smaller(left: DyadicBall, right: DyadicBall) -> DyadicBall:
+    return left if _sign(left, right) in (-1, None) else right
+
+
+def _larger(left: DyadicBall, right: DyadicBall) -> DyadicBall:
+    return left if _sign(left, right) in (1, None) else right
+
 
 __all__ = ["arb", "ctx", "fmpq"]
 

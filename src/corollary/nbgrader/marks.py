@@ -1,17 +1,16 @@
-"""A student's marks written wherever they stand: gradebook, record, history, feedback page; and the pages made again when a
-person gave some."""
+"""A student's marks written wherever they stand: gradebook, record, history, feedback page."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING
+from contextlib import suppress
+from typing import TYPE_CHECKING, Final
 
 import msgspec
 from msgspec.structs import replace
 
-from corollary.atomic import write_each_whole
+from corollary.atomic import write_each_whole, write_whole
 from corollary.nbgrader.gradebook import gradebook, has_gradebook
-from corollary.nbgrader.seen import is_as_seen, note, state
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
 from corollary.records.manual import ManualMark, ManualMarks, OfStudent, Place, read_manual, write_manual
@@ -30,6 +29,58 @@ if TYPE_CHECKING:
 
     from corollary.nbgrader.graded import GradedSubmission
     from corollary.render.feedback_facts import PageFacts
+
+SQLITE: Final = b"SQLite format 3\0"
+ROLLBACK: Final = (
+    b"\1\1"  # how it journals, at byte 18: with a write-ahead log the counter at byte 24 would stand still
+)
+# https://www.sqlite.org/fileformat.html#the_database_header
+
+
+class Seen(msgspec.Struct, frozen=True):
+    """The counter that SQLite raises with each transaction, the file's size, age and number, and how many entries our journal
+    had: a gradebook that was written, restored or replaced differs in one of them."""
+
+    counter: int
+    size: int
+    age: int
+    number: int
+    entries: int
+
+
+def state(course: Course, entries: int) -> Seen | None:
+    """The state of the gradebook with so many entries in the journal; None where it cannot be told from its file."""
+    config = course.folder / "nbgrader_config.py"
+    try:
+        if "db_url" in config.read_text(encoding="utf-8", errors="replace"):
+            return None
+        about = course.gradebook.stat()
+        with course.gradebook.open("rb") as file:
+            head = file.read(100)
+    except OSError:
+        return None
+    # A journal beside it is of a transaction that is being written, or was cut short and is to be taken back.
+    cut_short = course.gradebook.with_name(f"{course.gradebook.name}-journal").exists()
+    if head[:16] != SQLITE or head[18:20] != ROLLBACK or cut_short:
+        return None
+    counter = int.from_bytes(head[24:28], "big")
+    return Seen(counter, about.st_size, about.st_mtime_ns, about.st_ino, entries)
+
+
+def is_as_seen(course: Course, now: Seen | None) -> bool:
+    """Whether nothing was written since it was last noted."""
+    if now is None:
+        return False
+    try:
+        return msgspec.json.decode(course.record("manual", "seen.json").read_bytes(), type=Seen) == now
+    except (OSError, msgspec.DecodeError):
+        return False
+
+
+def note(course: Course, now: Seen) -> None:
+    """Notes the state; where that cannot be, the gradebook is read again the next time."""
+    with suppress(OSError):
+        write_whole(course.record("manual", "seen.json"), msgspec.json.encode(now), mode=0o600)
 
 
 def current_manual(course: Course) -> ManualMarks:

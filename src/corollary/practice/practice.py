@@ -7,16 +7,37 @@ from dataclasses import dataclass, field
 
 from corollary.answers.questions import askable
 from corollary.derive.load import NotDerivable
+from corollary.derive.ready_scenes import film_of
+from corollary.derive.simulation import Seen, simulations
 from corollary.derive.time_limit import TooLong
 from corollary.grading.key import Key
+from corollary.grading.neglect import neglected_in
 from corollary.grading.solutions import Solutions
-from corollary.practice.motion import motion
 from corollary.practice.posed import Posed
 from corollary.problem.bank import Bank
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.problem import Problem
 from corollary.problem.variant import chapter
 from corollary.scenes.film import Film
+from corollary.scenes.run import BadSetting, GuardFailed
+
+
+def motion(bank: Bank, key: Key) -> Film | None:
+    """The first simulation that the solution wants `animated`; none where there is none, or where these numbers let nothing move.
+
+    Raises NotDerivable where the scene fails.
+    """
+    answers: dict[str, Seen] = {
+        part: truth.values[0] if len(truth.values) == 1 else truth.values
+        for part, truth in key.truths.items()
+    }
+    try:
+        wanted = simulations(bank, key.variant, answers, neglected_in(key))
+        first = next((each for each in wanted if each.animated), None)
+        return film_of(first.scene, first.settings, first.bank) if first else None
+    except (BadSetting, GuardFailed):
+        return None
+
 
 SECRET = b"practice"  # numbers for practice are nobody's own: they may be guessed
 AT_HAND = 64  # exercises at hand; an older one is drawn again

@@ -2,21 +2,237 @@
 
 from __future__ import annotations
 
+import base64
+import signal
 import threading
+import time
+from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import replace
 from functools import partial
 from importlib.util import find_spec
 from types import TracebackType
 from typing import Self, final
 
+import msgspec
+
+from corollary.formula.value import Nothing, Value
+from corollary.messages import N_, catalogue
+from corollary.sandbox.decode import to_value
 from corollary.sandbox.folders import Canary, bytes_in
 from corollary.sandbox.isolation import UNKNOWN, Isolation, WeakIsolation, isolation_of
-from corollary.sandbox.job import Job, Limits
-from corollary.sandbox.report import result_of
-from corollary.sandbox.rerun import run_with_reruns
-from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.job import FunctionCall, Job, Limits
+from corollary.sandbox.protocol import CallFrame, Display, Error, Output, Result, Stream
+from corollary.sandbox.result import Axes, CallResult, CellRun, ExecutionResult, Figure, Status
 from corollary.sandbox.session import WorkerState, follow, send_job
 from corollary.sandbox.zygote import CannotStart, Worker, Zygote
+
+_ = catalogue(__name__)
+
+_PNG = "image/png"
+_CHANGED = N_("changed after it was shown; this is how it was at the end")
+_SIGNALS = {
+    "SIGSEGV": N_("a crash in compiled code (segmentation fault; very deep recursion does this too)"),
+    "SIGABRT": N_("a crash in compiled code (abort)"),
+    "SIGBUS": N_("a crash in compiled code (bus error)"),
+    "SIGFPE": N_("a crash in compiled code (arithmetic)"),
+    "SIGILL": N_("a crash in compiled code (illegal instruction)"),
+    "SIGXCPU": N_("its computing time was used up"),
+    "SIGSYS": N_("a system call that is not allowed"),
+    "SIGKILL": N_("it was killed, most likely for want of memory"),
+}
+# Why there is no value, by the worker's word for it.
+_NO_VALUE = {
+    "missing": N_("there is no function called {function}"),
+    "no function": N_("{function} is not a function"),
+    "raised": N_("the function raised {error}"),
+    "late": N_("the function ran longer than {seconds} s"),
+}
+
+
+def result_of(job: Job, state: WorkerState, isolation: Isolation) -> ExecutionResult:
+    """All that came back of one attempt at the job."""
+    trouble = _trouble(job, state)
+    values: dict[str, Value] = {name: Nothing() for name in job.names}
+    for index in sorted(state.cells):
+        sent = state.cells[index].values
+        values |= {name: to_value(encoded) for name, encoded in sent.items() if name in values}
+    calls = {
+        call.key: _call_result(state.calls.get(index), call, trouble, state, index)
+        for index, call in enumerate(job.calls)
+    }
+    return ExecutionResult(
+        _cell_runs(job, state),
+        values,
+        calls,
+        _figures(job, state),
+        isolation,
+        trouble,
+        state.machine_failed,
+    )
+
+
+def _trouble(job: Job, state: WorkerState) -> str:
+    """One sentence on what ended the notebook early, with the place; "" when nothing did."""
+    if state.done:
+        return ""
+    place, code = _place(job, state), state.exit_code
+    if state.ended:
+        return _("The notebook was ended {place}: {why}.", place=place, why=state.ended)
+    if code is not None and code > 128:
+        try:
+            name = signal.Signals(code - 128).name
+            why = _(_SIGNALS[name]) if name in _SIGNALS else name
+        except ValueError:
+            why = _("signal {number}", number=code - 128)
+        return _("The notebook's process died {place}: {why}.", place=place, why=why)
+    return _("The notebook's process ended itself {place}, as os._exit does.", place=place)
+
+
+def _place(job: Job, state: WorkerState) -> str:
+    if state.working_on is None:
+        return _("before its first cell")
+    index = state.working_on.index
+    if state.working_on.what == "cell":
+        return _("in code cell {number}", number=index + 1)
+    if index < len(job.calls):
+        return _("while its function {function} was called", function=job.calls[index].function)
+    return _("at its end")
+
+
+def _cell_runs(job: Job, state: WorkerState) -> tuple[CellRun, ...]:
+    """One entry for each cell of the job, whether it ran or not."""
+    runs: list[CellRun] = []
+    at = state.working_on
+    broken = at.index if at is not None and at.what == "cell" else None
+    for index, cell in enumerate(job.cells):
+        if index in state.cells:
+            frame = state.cells[index]
+            outputs = tuple(_output(each, state) for each in frame.outputs)
+            runs.append(CellRun(cell.id, frame.status, outputs, state.seconds[index], frame.error))
+        elif index == broken:
+            status: Status = "timeout" if state.late else "error"
+            error = (
+                _("the cell ran out of time and did not stop")
+                if state.late
+                else _("the notebook's process ended in this cell")
+            )
+            runs.append(CellRun(cell.id, status, (), 0.0, error))
+        else:
+            runs.append(CellRun(cell.id, "not run", (), 0.0, ""))
+    return tuple(runs)
+
+
+def _output(output: Output, state: WorkerState) -> dict[str, object]:
+    match output:
+        case Display(data) | Result(data):
+            return msgspec.to_builtins(output) | {"data": _with_picture(data, state)}
+        case Stream() | Error():
+            return msgspec.to_builtins(output)
+
+
+def _with_picture(data: dict[str, str], state: WorkerState) -> dict[str, str]:
+    """With the picture in place of its placeholder, where one was drawn."""
+    word, place = data.get(_PNG, "").partition(" ")[::2]
+    if word != "figure" or not place.isdecimal():
+        return data
+    rest = {mime: content for mime, content in data.items() if mime != _PNG}
+    picture = state.pictures.get(int(place[:9]))
+    if picture is None or picture.png is None:
+        return rest
+    if picture.changed and "text/plain" in rest:
+        rest["text/plain"] += f" ({_(_CHANGED)})"
+    return rest | {_PNG: base64.b64encode(picture.png).decode()}
+
+
+def _call_result(
+    frame: CallFrame | None, call: FunctionCall, trouble: str, state: WorkerState, index: int
+) -> CallResult:
+    if frame is not None:
+        sentence = _NO_VALUE.get(frame.trouble, frame.trouble)
+        values = {"function": call.function, "error": frame.error, "seconds": f"{call.seconds:g}"}
+        return CallResult(to_value(frame.value), frame.output, _(sentence, **values) if sentence else "")
+    here = (
+        state.working_on is not None and state.working_on.what == "call" and state.working_on.index == index
+    )
+    if here and state.late:
+        return CallResult(Nothing(), "", _("the function ran out of time and did not stop"))
+    return CallResult(Nothing(), "", trouble if here else _("it was not called: {why}", why=trouble))
+
+
+def _figures(job: Job, state: WorkerState) -> tuple[Figure, ...]:
+    """All figures in the order of the cells that showed them."""
+    return tuple(
+        Figure(
+            job.cells[index].id,
+            tuple(_axes(each) for each in figure.axes if each is not None),
+            _png(state, figure.picture),
+        )
+        for index in sorted(state.cells)
+        for figure in state.cells[index].figures
+    )
+
+
+def _png(state: WorkerState, place: int | None) -> bytes | None:
+    picture = state.pictures.get(place) if place is not None else None
+    return picture.png if picture is not None else None
+
+
+def _axes(axes: Axes) -> Axes:
+    """With lines whose two rows are equally long, which a worker may have got wrong."""
+    lines = tuple(replace(line, x=line.x[: len(line.y)], y=line.y[: len(line.x)]) for line in axes.lines)
+    return replace(axes, lines=lines)
+
+
+MOST_RERUNS = 3  # after so many more deaths a notebook is taken as it is
+_AGAIN = N_("The rest was run again without it.")
+
+Attempt = Callable[[Job], tuple[WorkerState, ExecutionResult]]
+
+
+def run_with_reruns(job: Job, attempt: Attempt, seconds: float) -> ExecutionResult:
+    """The result of the job, put together from as many attempts as its crashes take; none is begun after `seconds`."""
+    began = time.monotonic()
+    state, result = attempt(job)
+    rest: Job | None = job
+    for _ in range(MOST_RERUNS):
+        rest = _without_culprit(rest, state)
+        if rest is None or result.machine_failed or time.monotonic() - began > seconds:
+            break
+        state, later = attempt(rest)
+        result = _together(job, result, rest, later)
+    return result
+
+
+def _without_culprit(job: Job, state: WorkerState) -> Job | None:
+    """The job without the cell, or the function, that its process died in; None when it lived, or none can be named."""
+    at = state.working_on
+    if state.done or at is None:
+        return None
+    if at.what == "cell" and at.index < len(job.cells) and at.index not in state.cells:
+        empty = replace(job.cells[at.index], source="")
+        return replace(job, cells=(*job.cells[: at.index], empty, *job.cells[at.index + 1 :]))
+    if at.what == "call" and at.index < len(job.calls) and at.index not in state.calls:
+        function = job.calls[at.index].function
+        return replace(job, calls=tuple(call for call in job.calls if call.function != function))
+    return None
+
+
+def _together(job: Job, result: ExecutionResult, rest: Job, later: ExecutionResult) -> ExecutionResult:
+    """What the run of the rest gave, with what is known already of all that was left out of it."""
+    left_out = [
+        cell.source != remaining.source for cell, remaining in zip(job.cells, rest.cells, strict=True)
+    ]
+    cells = tuple(
+        known if out else run for known, run, out in zip(result.cells, later.cells, left_out, strict=True)
+    )
+    values = {
+        name: result.values[name] if isinstance(value, Nothing) else value
+        for name, value in later.values.items()
+    }
+    trouble = " ".join(filter(None, (result.trouble, _(_AGAIN), later.trouble)))
+    return replace(later, cells=cells, values=values, calls=result.calls | later.calls, trouble=trouble)
+
 
 _NO_JOB = Job((), ())
 

@@ -4,16 +4,108 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from functools import lru_cache
 
 from corollary.formula.characters import legible
 from corollary.formula.errors import ParseError, ambiguous, refused
+from corollary.formula.misspelt import one_apart
 from corollary.formula.numerals import RAISED, TO_ASCII
 from corollary.messages import catalogue
 from corollary.units.dimension import BASE, DIFFERENCE, ONE, PURE, Dimension, Unit
 from corollary.units.run_together import cuts, in_any_case
-from corollary.units.suggested import suggested
-from corollary.units.table import APART, CALLED, NAMED, REFUSED, UNITS, prefixed
-from corollary.units.words import TEMPERATURE, in_signs, temperature
+from corollary.units.table import APART, CALLED, ENGLISH, NAMED, REFUSED, UNITS, UNSUGGESTED, prefixed
+
+_ = catalogue(__name__)
+
+SPEEDS = {
+    "kph": "km/h", "kmph": "km/h", "kmh": "km/h", "mps": "m/s", "mph": "mi/h",
+    "km/t": "km/h", "Stundenkilometer": "km/h",  # in Norwegian an hour is a time
+    "U/min": "rpm", "omdr/min": "rpm",
+}  # fmt: skip
+SPEED = re.compile(rf"(?<![A-Za-z])(?:{'|'.join(SPEEDS)})(?![A-Za-z])")
+PER = re.compile(r"(?<![A-Za-z])(?:per|pro|par)(?![A-Za-z])")
+COMPOUND = re.compile(  # in German and Norwegian written as one word
+    r"(?<![A-Za-z])((?:kilo)?(?:newton|watt|joule)|kilogramm?)(?=(?:sekund|meter|stund|timer?)[a-z]{0,2}(?![a-z]))",
+    re.IGNORECASE,
+)
+JOINED = re.compile(
+    r"(?<=[A-Za-z])-(?=[A-Za-z])|(?<=[A-Za-z0-9⁰¹²³⁴-⁹)])\.(?=\s?[A-Za-z(])"
+)  # `N-s`, `kg.m/s`
+RAISED_BEHIND = re.compile(r"\s+(squared|cubed)(?![A-Za-z])", re.IGNORECASE)
+RAISED_BEFORE = re.compile(
+    r"(?<![A-Za-z])(?:(?P<square>square|sq\.?|Quadrat-?|kvadrat-?)|(?:cubic|cu\.?|Kubik-?|kubikk-?))\s*(?P<unit>(?!d\b)[A-Za-zµ]+)(?![A-Za-z^])",
+    re.IGNORECASE,
+)
+PREFIX_APART = re.compile(
+    r"(?<![A-Za-z])(kilo|milli|centi|mega|giga|micro|nano)[ -]+(?=[a-z]{4,})", re.IGNORECASE
+)
+SHORTENED = re.compile(
+    r"(?<![A-Za-z])((?i:micro|milli|nano|kilo))(?=(?:mol|m|g|s|N|J|W|V|A|Pa|Hz|eV|C|F)(?![A-Za-z]))"
+)
+MICRO = re.compile(
+    r"(?<![A-Za-z])mu\s*(?=(?:m|g|s|A|V|C|F|N|J|W|H|T|Pa|mol|l|L)(?![A-Za-z]))"
+)  # `\\mu m` without its backslash
+OMEGA = re.compile(r"(?<![A-Za-z])([kMmGu]?)\s*Omega(?![A-Za-z])")
+ALL = re.compile(r"\s*\[([^\[\]]*)\]\s*|\s*\(([^()]*)\)\s*")
+# °C is no degree times a coulomb. A difference of temperatures is written with a delta: `Δ°C`, `delta K`.
+DELTA = r"(?:delta(?:_| ?(?=[°ºdK]))|[Δ∆]\s?)"
+DEGREES = r"(?:[°º]\s?|(?<![A-Za-z])deg(?:rees?)?\s?)(?:[CFK]|[Cc]elsius|[Ff]ahrenheit)"
+TEMPERATURE = rf"(?:{DELTA}?{DEGREES}|{DELTA}K)(?![A-Za-z])"
+PARTS = re.compile(rf"(?P<delta>{DELTA})?\s?(?P<degrees>[°ºd][^CFKcf]*)?(?P<scale>[CFKcf])\w*")
+GROUP = re.compile(r"\(([^()^{}]+)\)(?!\s*[\^⁰¹²³⁴-⁹⁻*])")  # not raised
+
+
+def in_signs(text: str) -> str:
+    """The unit with a sign for every word and mark; a place in it stays a place in what was typed, but for whole brackets."""
+    if whole := ALL.fullmatch(text):
+        text = whole[1] or whole[2] or ""
+    text = RAISED_BEHIND.sub(lambda found: f"^{2 if found[1].lower() == 'squared' else 3}", text)
+    text = RAISED_BEFORE.sub(lambda found: f"{found['unit']}^{2 if found['square'] else 3}", text)
+    text = PREFIX_APART.sub(r"\1", text.replace("electron volt", "electronvolt"))
+    text = SHORTENED.sub(
+        lambda found: {"micro": "u", "milli": "m", "nano": "n", "kilo": "k"}[found[1].lower()], text
+    )
+    text = OMEGA.sub(r"\1ohm", MICRO.sub("u", text))
+    text = SPEED.sub(lambda found: SPEEDS[found[0]], text)
+    text = COMPOUND.sub(r"\1 ", text)
+    text = JOINED.sub("*", PER.sub(lambda found: "/".ljust(len(found[0])), text))
+    for _ in range(3):
+        text = GROUP.sub(_opened, text)
+    return text
+
+
+def _opened(group: re.Match[str]) -> str:
+    """What stands in brackets, without them, unless it is below a slash or a power: they hold that together."""
+    before = group.string[: group.start()].rstrip()
+    return group[0] if before.endswith(("/", "^", "**")) else f" {group[1]} "
+
+
+def temperature(symbol: str) -> str:
+    """`Δ °C` and `degrees Celsius` as they are in the table, delta_degC and degC; any other symbol as it is."""
+    if not re.fullmatch(TEMPERATURE, symbol):
+        return symbol
+    found = PARTS.fullmatch(symbol)
+    assert found is not None  # a temperature has these parts
+    scale = found["scale"].upper()
+    return (DIFFERENCE if found["delta"] else "") + ("K" if scale == "K" else "deg" + scale)
+
+
+def suggested(symbol: str) -> str:
+    """A unit that was likely meant: the same letters in another case, or a name of one with one letter amiss; else ""."""
+    low = _suggestions(len(UNITS))
+    if symbol.lower() in low:
+        return low[symbol.lower()]
+    if not 4 <= len(symbol) < 20:
+        return ""
+    names = (name for name in ENGLISH if name in UNITS and one_apart(symbol.lower(), name))
+    return min(names, key=lambda name: (len(name), name), default="")
+
+
+@lru_cache(maxsize=1)
+def _suggestions(units: int) -> dict[str, str]:
+    """Units by their small letters, for as many as there are by now."""
+    return {known.lower(): known for known in UNITS if known not in UNSUGGESTED and known[0] != "K"}
+
 
 __all__ = [
     "BASE",
@@ -32,7 +124,6 @@ __all__ = [
     "unit",
 ]
 
-_ = catalogue(__name__)
 
 LONGEST_UNIT = 80
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")

@@ -11,8 +11,7 @@ from corollary.scenes.forces.rod import String
 from corollary.scenes.forces.spring import Spring
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
-from corollary.scenes.motion.ends import MANY, Pace
-from corollary.scenes.motion.follow import Follower, follow
+from corollary.scenes.motion.follow import MANY, Follower, Pace, follow
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.run import Observable as O

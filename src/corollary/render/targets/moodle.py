@@ -1,25 +1,162 @@
-"""Questions as Moodle imports them (Question bank, Import, Moodle XML format): a category for each problem, a question a variant.
-
-A problem with several parts is one question with fields in its text (*Embedded answers*, Cloze), so that all parts have the same
-numbers. Its fields take numbers in the unit beside them. `apart` makes each part a question of its own, with units.
-"""
+"""Questions as Moodle imports them (Question bank, Import, Moodle XML format): a category for each problem, a question a variant."""
 
 from __future__ import annotations
 
 import base64
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import cache
+from itertools import combinations
 from xml.sax.saxutils import escape
 
+from corollary.answers.unit_meant import unit_meant
+from corollary.formula.errors import ParseError
 from corollary.messages import catalogue
 from corollary.render.exports import CarriedPart, ItemFiles, Target
-from corollary.render.item import ChoiceAsked, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
-from corollary.render.moodle_fields import answers_in, cloze, size_of_points
+from corollary.render.item import ChoiceAsked, Credit, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
 from corollary.render.page import drawing_file
 from corollary.render.pictures import as_files, lifted
 from corollary.render.tex_html import tex_html, tex_inline
-from corollary.render.typed_units import typed_units
+from corollary.units.table import ENGLISH, UNITS
+from corollary.units.unit import ONE, Unit, canonical, read_unit, show
 
 _ = catalogue(__name__)
+
+SPECIAL = frozenset("&#~{}=%\\\"'<>:")
+"""What means something inside of a field."""
+
+
+def cloze(asked: PartAsked, size: int) -> str:
+    """The fields of a part; `size` times its points are whole numbers. Raises TypeError for a part that has no fields."""
+    points = int(_points(asked) * size)
+    match asked:
+        case ChoiceAsked(options=options):
+            alternatives = (
+                _alternative(each.share, _inside(tex_inline(each.option.text)), each.feedback)
+                for each in options
+            )
+            return f"<p>{{{points}:MCV:{'~'.join(alternatives)}}}</p>"
+        case NumbersAsked(components=components):
+            unit = f" {escape(show(asked.unit))}" if show(asked.unit) else ""
+            lines: list[str] = []
+            for place, name in enumerate(components):
+                alternatives = (
+                    _alternative(mark.share, f"{middle}:{reach}", mark.feedback)
+                    for middle, reach, mark in answers_in(asked, place)
+                )
+                before = f"{escape(name)}: " if name else ""
+                lines.append(f"{before}{{{points}:NUMERICAL:{'~'.join(alternatives)}}}{unit}")
+            return f"<p>{'<br>'.join(lines)}</p>"
+        case _:
+            raise TypeError(f"{type(asked).__name__} has no field")
+
+
+def size_of_points(asked: Sequence[PartAsked]) -> int:
+    """What makes whole numbers of the points of every field, which Moodle wants."""
+    return math.lcm(*(_points(each).denominator for each in asked))
+
+
+def answers_in(asked: NumbersAsked, place: int) -> Iterator[tuple[str, str, Credit]]:
+    """The middle of each range and how far it reaches, as Moodle has them."""
+    for low, high, mark in _ranges(asked, place):
+        yield f"{(low + high) / 2 + 0.0:.7g}", f"{(high - low) / 2:.6g}", mark
+
+
+def by_component(asked: NumbersAsked, numbers: Sequence[float]) -> float:
+    """What Moodle gives for these numbers: each component earns its share by itself."""
+    earned = 0.0
+    for place, number in enumerate(numbers):
+        fields = ((low, high, each.share) for low, high, each in _ranges(asked, place))
+        earned += next((share for low, high, share in fields if low <= number <= high), 0.0)
+    return earned / len(asked.components)
+
+
+def _points(asked: PartAsked) -> Fraction:
+    """Those of one field: components share them."""
+    fields = len(asked.components) if isinstance(asked, NumbersAsked) else 1
+    return Fraction(asked.prompt.out_of).limit_denominator(1000) / fields
+
+
+def _ranges(asked: NumbersAsked, place: int) -> Iterator[tuple[float, float, Credit]]:
+    """What one component may lie between, in the order of trying, without what an earlier range covers."""
+    seen: list[tuple[float, float]] = []
+    for mark in asked.marks:
+        low, high = mark.ranges()[place]
+        room = 1e-6 * (high - low)
+        if not any(a - room <= low and high <= b + room for a, b in seen):
+            seen.append((low, high))
+            yield low, high, mark
+
+
+def _alternative(share: float, answer: str, feedback: str) -> str:
+    grade = "=" if share == 1 else f"%{100 * share:.5g}%"
+    return grade + answer + (f"#{_inside(tex_inline(feedback))}" if feedback else "")
+
+
+def _inside(html: str) -> str:
+    """HTML as it may stand in a field: Moodle decodes entities there."""
+    return "".join(f"&#{ord(sign)};" if sign in SPECIAL else sign for sign in html)
+
+
+COMMON = ("N kN mN J kJ mJ W kW kg g t C V A K m cm mm km s ms min h").split()  # fmt: skip  # noqa: SIM905
+"""What products and quotients are made of, products in this order."""
+TIMES = ("", "*", "·")
+RAISED = (("^2", "²", "2"), ("^3", "³", "3"))
+MANY = 60
+LEAST, MOST = 1e-9, 1e9
+"""Moodle keeps 19 decimals of a size."""
+
+
+@cache
+def typed_units(unit: Unit) -> list[tuple[str, float]]:
+    """Each name with how many of it make one of the unit; the unit itself first. None for a plain number and a temperature.
+
+    Only what our own reader reads as this quantity where the unit is asked for: no Hz for rad/s.
+    """
+    if not show(unit) or unit.offset:
+        return []
+    found: dict[str, float] = {}
+    for text in _candidates(unit):
+        name = text.replace(" ", "")
+        meant = read_unit(text)
+        if isinstance(meant, ParseError) or isinstance(unit_meant(name, unit), ParseError) or name in found:
+            continue
+        size = unit.si / meant.si
+        if meant.dimension == unit.dimension and not meant.offset and LEAST <= size <= MOST:
+            found[name] = size
+    return list(found.items())[:MANY]
+
+
+def _candidates(unit: Unit) -> Iterator[str]:
+    for text in (show(unit), canonical(unit)):
+        yield from _spelled(text)
+    for name, each in UNITS.items():
+        if each.dimension == unit.dimension and (name == each.text or name in ENGLISH):
+            yield name
+    if unit.dimension == ONE:
+        return
+    for one, other in combinations(COMMON, 2):
+        a, b = UNITS[one].dimension, UNITS[other].dimension
+        if a * b == unit.dimension:
+            yield from _spelled(f"{one}*{other}")
+        if a / b == unit.dimension:
+            yield from _spelled(f"{one}/{other}")
+
+
+def _spelled(text: str) -> Iterator[str]:
+    """The ways to write a product or a power."""
+    texts = [text.replace(" ", "*").replace("*", times) for times in TIMES]
+    for power in RAISED:
+        texts += [
+            each.replace(sign, other)
+            for each in texts
+            for sign in power[:2]
+            for other in power
+            if sign in each
+        ]
+    yield from dict.fromkeys(texts)
+
 
 # What Moodle takes as the grade of an answer, in per cent (`question_bank::fraction_options_full`).
 GRADES = (

@@ -1,20 +1,54 @@
-"""Questions for a Moodle that has STACK: those of the target `moodle`, and each part that asks for a formula as a STACK question.
-
-Maxima compares what is typed with the formula that follows from the laws, then with what each known misconception makes of it.
-A Moodle without STACK leaves such questions out, with a warning.
-"""
+"""Questions for a Moodle that has STACK: those of the target moodle, and each part that asks for a formula as a STACK question."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import Final
 from xml.sax.saxutils import escape
 
+from corollary.formula.ast import Call, Expr, Number, Relation, children, names, rebuilt, walk
+from corollary.formula.text import text
 from corollary.render.exports import CarriedPart, ItemFiles, Target
 from corollary.render.item import LmsItem, NotAsked
-from corollary.render.stack_formula import NotInStack, stack_formula
 from corollary.render.targets import moodle
 from corollary.render.tex_html import tex_html, tex_inline
+
+FUNCTIONS: Final = {
+    **{name: name for name in ("sqrt", "abs", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "ln")},
+    "log10": "lg",
+}
+"""What STACK calls the functions that it has."""
+CONSTANTS: Final = frozenset({"e", "i", "%e", "%i", "%pi", "inf", "infinity"})
+"""Letters that are numbers there."""
+
+
+class NotInStack(ValueError):
+    """STACK cannot hold the formula; the sentence says why."""
+
+
+def stack_formula(tree: Expr) -> str:
+    """In Maxima's words, numbers as fractions. Raises NotInStack."""
+    for node in walk(tree):
+        if isinstance(node, Relation):
+            raise NotInStack("the answer is an equation")
+        if isinstance(node, Call) and node.function not in FUNCTIONS:
+            raise NotInStack(f"STACK has no function {node.function}")
+    if letters := sorted(names(tree) & CONSTANTS):
+        raise NotInStack(f"STACK takes the letter {', '.join(letters)} for a number")
+    return text(_renamed(tree))
+
+
+def _renamed(tree: Expr) -> Expr:
+    below = tuple(map(_renamed, children(tree)))
+    match tree:
+        case Call(function):
+            return Call(FUNCTIONS[function], below)
+        case Number():
+            return replace(tree, figures=0)
+        case _:
+            return rebuilt(tree, below)
+
 
 FORMULA_LOST = "the dimension of what is typed is not looked at; a constant off by a root, by pi/180 or by rounding is wrong"
 
