@@ -10,11 +10,21 @@ from corollary.formula.errors import ParseError, ambiguous
 from corollary.messages import catalogue
 from corollary.units.run_together import WORD, in_capitals, other_cases
 from corollary.units.table import UNITS, UNSUGGESTED
-from corollary.units.unit import ONE, Unit, called, read_unit, show
+from corollary.units.unit import ONE, Dimension, Unit, called, read_unit, show
 
 _ = catalogue(__name__)
 
 PLURAL = re.compile(r"(?<![A-Za-z])([A-Za-zµ]{2,})s(?![A-Za-z])")
+STANDARD_GRAVITY = Unit("g_n", Dimension.of("m s^-2"), Fraction("9.80665"))
+# What is typed for a unit that is another one, by what is asked for.
+SHORT = {
+    UNITS["s"].dimension: {"a": UNITS["yr"], "y": UNITS["yr"]},
+    UNITS["kg"].dimension: {"gm": UNITS["g"], "gms": UNITS["g"]},
+    STANDARD_GRAVITY.dimension: dict.fromkeys(("g", "gs", "g's"), STANDARD_GRAVITY),
+}
+METRE_GLUED = re.compile(r"/\s*\(?\s*m\s?K\)?(?![A-Za-z0-9^])")  # `W/mK` has no millikelvin
+PER_SECOND = Dimension.of("s^-1")
+LARGE_CALORIES = re.compile(r"\s*Cals?\s*")
 KILO = re.compile(r"\s*[Kk]ilos?\s*")  # said for kilograms
 IN = re.compile(r"in\s+(?=\S)")
 # A temperature as it is typed in a hurry: `25 ⁰C` with a raised zero, `25 oC`, `25 C°`, `77 F`.
@@ -40,6 +50,12 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
         return UNITS["kg"]
     if expected is not None and (of_field := OF_A_FIELD.fullmatch(text)) and _fits(UNITS["gauss"], expected):
         return read_unit(f"{of_field['prefix']}gauss")
+    if expected is not None and (short := SHORT.get(expected.dimension, {}).get(text.strip())) is not None:
+        return short
+    if LARGE_CALORIES.fullmatch(text):
+        return ambiguous(
+            _("{text} can be {small} or {large}", text=text, small="cal", large="kcal"), 0, "cal", "kcal"
+        )
     unit = read_unit(text)
     if expected is not None and (led := IN.match(text)) and not _fits(unit, expected):  # `83.6 in J`
         behind = read_unit(text[led.end() :])
@@ -57,6 +73,9 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
     in_force = read_unit(POUND.sub("lbf", text))
     if isinstance(in_force, Unit) and in_force.dimension == expected.dimension:
         return in_force  # the pounds that are read are shown as lbf
+    by_metre = read_unit(METRE_GLUED.sub("/(m K)", text))
+    if isinstance(by_metre, Unit) and by_metre.dimension == expected.dimension:
+        return by_metre
     unknown = isinstance(unit, ParseError) and unit.status == "refused"
     if (unknown or in_capitals(text)) and (meant := _in_another_case(text, expected)) is not None:
         return (_doubtful(text, meant, expected) or meant) if isinstance(meant, Unit) else meant
@@ -87,6 +106,13 @@ def _doubtful(text: str, unit: Unit, expected: Unit) -> ParseError | None:
         return None
     if HERTZ.search(unit.text) and expected.angle:
         return ParseError("asked", _("Hz counts whole turns, not radians"), None, _("write rad/s, or rpm"))
+    if expected.angle == 1 and not unit.angle and unit.factor != 1 and unit.dimension == PER_SECOND:
+        return ambiguous(
+            _("{text} can count turns or radians", text=text.strip()),
+            0,
+            f"turn*{unit.text}".replace("*1", ""),
+            f"rad*{unit.text}".replace("*1", ""),
+        )
     if HERTZ.search(expected.text) and unit.angle:
         return ParseError("asked", _("Hz counts whole turns, not radians"), None, _("write Hz, or rpm"))
     if "rpm" in unit.text and not expected.angle and not HERTZ.search(expected.text):
@@ -132,8 +158,13 @@ def _counted(unit: Unit, expected: Unit) -> Unit:
 def _in_another_case(text: str, expected: Unit) -> Unit | ParseError | None:
     """`KGM/S`, `NS`, `w`: the one unit of what is asked for that these letters are, small and capital apart. `MS` is asked about."""
     found: dict[Fraction, Unit] = {}
-    for spelling in other_cases(text):
+    spellings = other_cases(text)
+    if not (text.isupper() or text.islower()):  # `Mhz`: its first letter is as it was meant
+        spellings.sort(key=lambda each: each[:1] != text[:1])
+    for spelling in spellings:
         unit = read_unit(spelling)
+        if found and spelling[:1] != text[:1] and not (text.isupper() or text.islower()):
+            break
         if isinstance(unit, Unit) and unit.dimension == expected.dimension:
             found.setdefault(unit.factor, unit)
     if len(found) < 2:

@@ -105,7 +105,7 @@ Sv      | m^2 s^-2           | 1                 | u m           | sievert
 kat     | mol s^-1           | 1                 | n u m         | katal
 """
 OTHERS = """
-degC    | K                  | 1 + 273.15        |               | celsius
+degC    | K                  | 1 + 273.15        |               | celsius centigrade
 degF    | K                  | 5/9 + 45967/180   |               | fahrenheit
 delta_degC | K               | 1                 |               |
 delta_degF | K               | 5/9               |               |
@@ -119,10 +119,12 @@ cal     | kg m^2 s^-2        | 4.184             | k             | calorie kalor
 e       | A s                | 1.602176634e-19   |               |
 rpm     | s^-1               | pi/30             |               |
 d       | s                  | 86400             |               | day tag dag
-yr      | s                  | 31557600          | k M G         | year jahr
+yr yrs  | s                  | 31557600          | k M G         | year jahr
+month   | s                  | 2629800           |               | month
 ha      | m^2                | 10000             |               | hectare
+acre    | m^2                | 62726400000/15499969|               | acre
 au      | m                  | 149597870700      |               |
-ly      | m                  | 9460730472580800  |               |
+ly      | m                  | 9460730472580800  |               | lightyear
 pc      | m                  | 30856775814913673 | k M G         | parsec
 angstrom Å \N{ANGSTROM SIGN} | m             | 1/10000000000     |               | angstrom ångström ångstrøm
 inch inches in | m           | 0.0254            |               |
@@ -153,6 +155,9 @@ barn    | m^2                | 1/10000000000000000000000000000 | | barn
 Ci      | s^-1               | 37000000000       | u m           | curie
 rem     | m^2 s^-2           | 1/100             | m             |
 poise   | kg m^-1 s^-1       | 1/10              | c             | poise
+cP      | kg m^-1 s^-1       | 1/1000            |               |
+cSt     | m^2 s^-1           | 1/1000000         |               | centistokes
+inHg    | kg m^-1 s^-2       | 3386.388640341    |               |
 ppm     |                    | 1/1000000         |               |
 ppb     |                    | 1/1000000000      |               |
 ‰       |                    | 1/1000            |               | permille
@@ -160,7 +165,7 @@ sr      |                    | 1                 |               | steradian
 arcmin  |                    | pi/10800          |               |
 arcsec  |                    | pi/648000         |               |
 gon     |                    | pi/200            |               |
-turn rev |                   | 2*pi              |               | turn revolution cycle umdrehung omdreining omdreininger
+turn rev |                   | 2*pi              |               | turn revolution rotation cycle umdrehung omdreining omdreininger
 """
 MECHANICS = """
 g       | kg                 | 1/1000            | n u m k       | gram gramme gramm

@@ -31,6 +31,20 @@ COMPOUND = re.compile(  # in German and Norwegian written as one word
 JOINED = re.compile(
     r"(?<=[A-Za-z])-(?=[A-Za-z])|(?<=[A-Za-z0-9⁰¹²³⁴-⁹)])\.(?=\s?[A-Za-z(])"
 )  # `N-s`, `kg.m/s`
+# Written apart, or in words that another rule would take for a slash.
+SAID = {
+    re.compile(pattern): sign
+    for pattern, sign in {
+        r"(?<![A-Za-z])times (?:an?|per|each|every)\s+(?=[a-z])": "1/",
+        r"(?<=[a-z]) an? (?=second|minute|hour|day|week|year)": "/",
+        r"(?<![A-Za-z])per mille?(?![a-z])": "‰",
+        r"(?<![A-Za-z])light[ -]year": "lightyear",
+        r"(?<![A-Za-z])(mm|in) Hg(?![a-z])": r"\1Hg",
+        r"(?<![A-Za-z])kilohm": "kiloohm",
+        r"(?<![A-Za-z])megohm": "megaohm",
+        r"(?<![A-Za-z])a\.u\.?(?![a-z])": "au",
+    }.items()
+}
 RAISED_BEHIND = re.compile(r"\s+(squared|cubed)(?![A-Za-z])", re.IGNORECASE)
 RAISED_BEFORE = re.compile(
     r"(?<![A-Za-z])(?:(?P<square>square|sq\.?|Quadrat-?|kvadrat-?)|(?:cubic|cu\.?|Kubik-?|kubikk-?))\s*(?P<unit>(?!d\b)[A-Za-zµ]+)(?![A-Za-z^])",
@@ -49,7 +63,7 @@ OMEGA = re.compile(r"(?<![A-Za-z])([kMmGu]?)\s*Omega(?![A-Za-z])")
 ALL = re.compile(r"\s*\[([^\[\]]*)\]\s*|\s*\(([^()]*)\)\s*")
 # °C is no degree times a coulomb. A difference of temperatures is written with a delta: `Δ°C`, `delta K`.
 DELTA = r"(?:delta(?:_| ?(?=[°ºdK]))|[Δ∆]\s?)"
-DEGREES = r"(?:[°º]\s?|(?<![A-Za-z])deg(?:rees?)?\s?)(?:[CFK]|[Cc]elsius|[Ff]ahrenheit)"
+DEGREES = r"(?:[°º]\s?|(?<![A-Za-z])deg(?:rees?)?\s?)(?:[CFK]|[Cc]elsius|[Cc]entigrade|[Ff]ahrenheit)"
 TEMPERATURE = rf"(?:{DELTA}?{DEGREES}|{DELTA}K)(?![A-Za-z])"
 PARTS = re.compile(rf"(?P<delta>{DELTA})?\s?(?P<degrees>[°ºd][^CFKcf]*)?(?P<scale>[CFKcf])\w*")
 GROUP = re.compile(r"\(([^()^{}]+)\)(?!\s*[\^⁰¹²³⁴-⁹⁻*])")  # not raised
@@ -59,6 +73,8 @@ def in_signs(text: str) -> str:
     """The unit with a sign for every word and mark; a place in it stays a place in what was typed, but for whole brackets."""
     if whole := ALL.fullmatch(text):
         text = whole[1] or whole[2] or ""
+    for pattern, sign in SAID.items():
+        text = pattern.sub(sign, text)
     text = RAISED_BEHIND.sub(lambda found: f"^{2 if found[1].lower() == 'squared' else 3}", text)
     text = RAISED_BEFORE.sub(lambda found: f"{found['unit']}^{2 if found['square'] else 3}", text)
     text = PREFIX_APART.sub(r"\1", text.replace("electron volt", "electronvolt"))
@@ -279,6 +295,8 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
     if found := prefixed(symbol):  # before letters are cut: `mPa` is no metre times a pascal
         return [(found, power)]
     named = in_any_case(symbol) if len(symbol) > 3 and not SECONDS.search(symbol) else ()
+    if len(named) > 1 and not symbol.isupper():  # `MOhm`: of the prefixes of one name the typed one is meant
+        named = [each for each in named if each[0] == symbol[0]]
     if len(meant := {UNITS[each] for each in named if each in UNITS}) == 1:  # `kOhm`, `NEWTON`; `Nsec` is N s
         return [(meant.pop(), power)]
     splits = [[*((each, Fraction(1)) for each in before), (last, power)] for *before, last in _splits(symbol)]
