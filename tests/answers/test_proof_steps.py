@@ -17,6 +17,11 @@ from corollary.answers.proof.steps import steps_of
         (["E = K", "K = m g h"], ["E", "K"], ["", ""]),
         (["E = m g h z"], [""], ["z"]),
         (["m g h = 2 m"], [""], [""]),
+        (["(mass per length E = m/h)"], ["E"], [""]),
+        (["h = E*m (mass per length E = m/h)"], ["E", ""], ["", ""]),
+        (["h = λ*m [where λ = m/h]", "g = λ*h"], ["lambda", "", ""], ["", "", ""]),
+        (["λ' = m/h", "g = λ'h"], ["lambda_prime", ""], ["", ""]),
+        (["h = m*g (at t = 0)"], [""], [""]),
     ],
 )
 def test_a_letter_means_what_the_first_line_says_in_known_letters(lines, defines, undefined):

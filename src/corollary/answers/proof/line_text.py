@@ -42,6 +42,12 @@ QUESTION = re.compile(r"=\s*\?+\s*$")
 SPECIAL_CASE = re.compile(r"\s*(?:for|if|when|für|bei|wenn|falls)\b[^:]*=[^:]*:", re.IGNORECASE)
 BULLET = re.compile(r"\s*[-–]\s+")
 PRIMES = re.compile(rf"(?<=[{LETTER}0-9_}}])['’′]+(?![A-Za-z])")
+# `λ'y`: a letter with a prime, glued to the next; `l'impulsion` is a word.
+GLUED_PRIME = re.compile(r"(?<![^\W\d_])(?P<letter>[^\W\d_])['’′](?P<run>[^\W\d_]\w*)")
+IN_BRACKETS = re.compile(r"\s*[(\[]([^()\[\]=]*=(?:[^()\[\]=]|\([^()]*\))*)[)\]]\s*\.?\s*")
+DEFINES_BEHIND = re.compile(
+    r"(?P<before>[^=]*=.*[^\s*/^+=(-])\s+[(\[](?:[^()\[\]=]*[\s,:])?(?P<letter>[^\W\d_](?:_?[0-9]|_[A-Za-z]|_prime)?)\s*=\s*(?P<meaning>[^\[\]=,;]+?)(?:,[^()\[\]=]*)?[)\]][\s.]*"
+)
 REASONS = frozenset(
     ["using", "because", "since", "as", "for", "by", "from", "da", "weil"]
 )  # what it is said for comes after it
@@ -71,8 +77,10 @@ def says_nothing(line: str) -> bool:
 
 def equations(line: str, readable: Readable) -> list[str]:
     """Each `a = b = c` of the line on its own."""
-    typed = PRIMES.sub("_prime", line.replace("&=", "=").replace("&", ""))
-    typed = LEADING.sub("", EQUALS.sub("=", typed), count=1)
+    typed = PRIMES.sub("_prime", _primes_apart(line.replace("&=", "=").replace("&", ""), readable))
+    if whole := IN_BRACKETS.fullmatch(typed):  # `(mass per length λ = m/L)`
+        typed = whole[1]
+    typed = _definitions_first(LEADING.sub("", EQUALS.sub("=", typed), count=1), readable)
     typed = LEADING.sub("", ARROWS.sub(";", by_hand(typed)), count=1)
     typed = _without_bracketed(APART.sub(r"\1", REMARK.sub("", typed)), readable)
     found: list[str] = []
@@ -84,6 +92,22 @@ def equations(line: str, readable: Readable) -> list[str]:
         else:
             found.append(piece)
     return [piece for piece in found if "=" in piece]
+
+
+def _primes_apart(line: str, readable: Readable) -> str:
+    """`λ'y` as `λ_prime y`, where what follows is made of letters of the problem."""
+    return GLUED_PRIME.sub(
+        lambda found: f"{found['letter']}_prime {found['run']}" if readable(found["run"]) else found[0], line
+    )
+
+
+def _definitions_first(line: str, readable: Readable) -> str:
+    """`mu = λ*y (mass per length λ = m/L)` as two equations, the one in brackets first, where it gives a letter a meaning in others."""
+    found = DEFINES_BEHIND.fullmatch(line)
+    letters = RUN.findall(found["meaning"]) if found else []
+    if found is None or not letters or not all(map(readable, letters)):
+        return line
+    return f"{found['letter']} = {found['meaning']}; {found['before']}"
 
 
 def _pieces(text: str) -> list[tuple[str, str]]:
