@@ -95,6 +95,12 @@ def test_an_option_is_compared_as_it_is_shown(tmp_path, answer, expected):
         (("$x < 0$", "$x > 0$", r"$x \\le 0$"), "x < 0", Right),
         (("10 m^2", "102 m", "10 m"), "10 m²", Right),
         (("→", "←", "none"), "←", Wrong),
+        (("more than twice, but less than four times", "twice", "four times"), "more than twice", Unread),
+        (
+            ("more than twice, but less than four times", "twice", "four times"),
+            "more than twice but less than four times",
+            Right,
+        ),
     ],
 )
 def test_signs_that_mean_something_tell_options_apart(tmp_path, options, answer, expected):

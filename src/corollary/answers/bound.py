@@ -24,6 +24,16 @@ GREATEST_ASKED = re.compile(
     re.IGNORECASE,
 )
 QUESTIONS = re.compile(r"[^.!?]*\?")
+# `For which angle is the force largest?` asks for no extreme; `At what smallest speed …?` does.
+PLACE_ASKED = re.compile(
+    r"\s*(?:for|at|bei|für|ved) (?:which|what|welche\w*|hvilke\w*) (?!\w*(?:least|small|slow|short|low|larg|great|fast|high|max|min|klein|gr[öo]ß|minst|størst))",
+    re.IGNORECASE,
+)
+# In `from one moment when the distance is smallest` the extreme tells when, and is not what is asked for.
+ASIDE = re.compile(
+    r"\b(?:when|where|while|whose|(?:at|for|in|from|to|during|after|before|with|between) which|wenn|wo|während|sobald|bei de[mr]|für de[nr]|når|mens|der hvor)\b[^,;.?!]*",
+    re.IGNORECASE,
+)
 MORE = (
     "at least|no less than|not less than|no fewer than|more than|greater than|larger than|bigger than|faster than|higher than|above|over|"
     "minimum(?: of)?|minimal|min\\.|mindestens|mehr als|größer als|minst|mer enn|større enn"
@@ -63,7 +73,8 @@ class TypedBound:
 @lru_cache(maxsize=512)  # of a part, each time that an answer to it is read
 def extreme_asked(title: str, text: str) -> Extreme:
     """`least` or `greatest`, where the title of a part or the questions in its text speak of one of the two alone."""
-    asking = f"{title} {' '.join(QUESTIONS.findall(text))}"
+    asked = (each for each in QUESTIONS.findall(text) if PLACE_ASKED.match(each) is None)
+    asking = f"{title}. {' '.join(ASIDE.sub('', each) for each in asked)}"
     least, greatest = (pattern.search(asking) is not None for pattern in (LEAST_ASKED, GREATEST_ASKED))
     return "" if least == greatest else "least" if least else "greatest"
 

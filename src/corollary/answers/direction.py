@@ -134,6 +134,8 @@ def with_direction(
         return _counted_from(read(Text(text[: counted.start()])), counted, question)
     if found is not None and found.sign is not None and SIZE.search(question.title):
         found = replace(found, sign=1)  # a speed has no sign: the words say more than was asked
+    if angle and found is not None and found.sign is not None and question.reference.startswith("below"):
+        found = replace(found, sign=-found.sign)  # the question counts downwards
     answer = read(value if found is None else Text(found.text))
     if found is None or _is_unread(answer):  # `-0.4 m/s (so I move backwards)`
         remarked = _remarked(value.text, answer, question, read, component) if _is_unread(answer) else answer
@@ -251,7 +253,7 @@ def _counted_from(answer: Answer, counted: re.Match[str], question: Question) ->
     """An angle whose words say from which line it is counted: as it stands where the problem counts from there, the horizontal where
     it does not say; asked about where the words name another line."""
     words = counted[0].strip(" ,;().\t\n")
-    if line_of(counted) == (question.reference or "horizontal"):
+    if line_of(counted) == (question.reference.removeprefix("below ") or "horizontal"):
         return replace(answer, as_read=f"{answer.as_read} {words}") if isinstance(answer, Numbers) else answer
     match answer:
         case Numbers((value,)):

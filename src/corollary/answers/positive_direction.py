@@ -16,10 +16,11 @@ NAMED = re.compile(
 )
 TOWARDS, AWAY = re.compile(r"\b(?:towards?|against|at|to|into)\b"), re.compile(r"\b(?:away from|from)\b")
 REFERENCE_LINE = re.compile(
-    r"\b(?:from|to|with|above|below|gegen|mot|fra|von|zur|zum|off)\s+(?:the\s+|der\s+|die\s+|den\s+|its\s+)?"
+    r"\b(?:from|to|with|above|below|under|unter|unterhalb|gegen|mot|fra|von|zur|zum|off)\s+(?:the\s+|der\s+|die\s+|den\s+|its\s+)?"
     r"(?P<line>vertical|horizontal|normal|upright|vertikalen?|senkrechten?|horizontalen?|waagerechten?|vertikalen|horisontalen)\b",
     re.IGNORECASE,
 )
+BELOW = re.compile(r"below\b|under\b|unter", re.IGNORECASE)
 UPRIGHT = re.compile("vert|upright|senk", re.IGNORECASE)
 NO_CONTENT: str = (
     "the a an in of to its his her your my is it which that direction take velocities velocity with and so this all towards toward "
@@ -46,14 +47,15 @@ def _named(text: str) -> str:
 
 @lru_cache(maxsize=512)
 def angle_reference(*texts: str) -> str:
-    """`vertical` or `horizontal`, from which the last of the texts to say so counts an angle; "" where none does."""
+    """`vertical` or `horizontal`, from which the last of the texts to say so counts an angle, `below horizontal` where it counts
+    downwards; "" where none does."""
     return next((line for text in reversed(texts) if (line := _reference(text))), "")
 
 
 @lru_cache(maxsize=256)
 def _reference(text: str) -> str:
     found = list(REFERENCE_LINE.finditer(EMPHASIS.sub("", text)))
-    return line_of(found[-1]) if found else ""
+    return f"{'below ' if BELOW.match(found[-1][0]) else ''}{line_of(found[-1])}" if found else ""
 
 
 def line_of(found: re.Match[str]) -> str:

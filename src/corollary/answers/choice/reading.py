@@ -37,7 +37,10 @@ LABEL = re.compile(
     re.IGNORECASE,
 )
 LABEL_BEHIND = re.compile(r"\s*[\[(](?P<letter>[A-Za-z])[\])]\s*$")
-CLAUSE = re.compile(r"[:;]|[,.](?!\d)|(?<!\d)[,.]")
+# Where an option's first clause ends, unless what follows takes some of it back: `more than twice, but less than four times`.
+CLAUSE = re.compile(
+    r"(?:[:;]|[,.](?!\d)|(?<!\d)[,.])(?!\s*(?:but|yet|though|aber|jedoch|men)\b)", re.IGNORECASE
+)
 
 
 @final
