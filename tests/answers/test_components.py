@@ -37,6 +37,26 @@ def test_signs_and_units_between_unit_vectors(typed, components):
     assert pieces_of(typed, 2, ("x", "y")) == components
 
 
+@pytest.mark.parametrize(
+    ("typed", "values"),
+    [
+        ("-(3, 4) N", [-3, -4]), ("- (3, 4)", [-3, -4]), ("+(3, 4)", [3, 4]), ("2(3, 4) N", [6, 8]), ("2 (3, 4) N", [6, 8]), ("2*(3, 4) N", [6, 8]),
+        ("2 kg * (3, 4) m/s^2", [6, 8]), ("-2*(3, 4) N", [-6, -8]), ("(3, 4)/2 N", [1.5, 2]), ("1/2 (3, 4)", [1.5, 2]),
+    ],
+)  # fmt: skip
+def test_a_factor_before_the_bracket_multiplies_each_component(typed, values):
+    found = read_quantities(typed, unit("N"), 2, ("x", "y"))
+    assert isinstance(found, tuple), found
+    assert [in_si(each) for each in found] == pytest.approx(values)
+
+
+def test_a_slash_between_two_decimal_commas_or_a_quotient_is_asked_about():
+    found = read_quantities("7,5 / -10", unit("N"), 2, ("x", "y"))
+    assert isinstance(found, ParseError)
+    assert found.status == "asked"
+    assert len(found.choices) == 2
+
+
 def test_names_that_are_none_of_the_components_keep_their_order():
     assert pieces_of("v1 = 3 N, v2 = 4 N", 2, ("A", "B")) == ["v1 = 3 N", "v2 = 4 N"]
     assert isinstance(pieces_of("x = 3 N, x = 4 N", 2, ("x", "y")), ParseError)

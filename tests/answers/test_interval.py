@@ -40,6 +40,30 @@ def test_an_interval_is_read(typed):
     assert sorted(found.values) == pytest.approx([-0.2, 0.5], abs=1e-12)
 
 
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "±20 cm",
+        "+/- 0.2 m",
+        "|x| < 0.2 m",
+        "|x| ≤ 20 cm",
+        "abs(x) <= 0.2",
+        "0 ± 0.2 m",
+        "x between -0.2 m and 0.2 m",
+        "x lies between -20 cm and +20 cm",
+    ],
+)
+def test_an_interval_about_zero_is_read(typed):
+    found = read(typed)
+    assert isinstance(found, Numbers), found
+    assert sorted(found.values) == pytest.approx([-0.2, 0.2], abs=1e-12)
+
+
+@pytest.mark.parametrize("typed", ["|x| > 0.2 m", "|x| < -0.2 m", "|x| = 0.2 m", "±", "x < 0.2 m"])
+def test_what_is_outside_of_zero_is_no_interval(typed):
+    assert isinstance(read(typed), Unclear)
+
+
 @pytest.mark.parametrize("typed", ["2 m", "x < 2 m", "2"])
 def test_of_one_end_the_other_is_asked_for(typed):
     answer = read(typed)

@@ -35,6 +35,16 @@ def read(typed):
     return answer_type("list").read(typed if not isinstance(typed, str) else Text(typed), QUESTION)
 
 
+@pytest.mark.parametrize(
+    "text", ["8.0 and 6.32 1/s", "8.0; 6.32/s", "8.0, 6.32 1/s", "6.32 s^-1 and 8.0 s^-1", "8 1/s, 6.32 1/s"]
+)
+def test_a_unit_with_a_slash_behind_the_last_belongs_to_all(text):
+    found = answer_type("list").read(Text(text), replace(QUESTION, unit=unit("1/s")))
+    assert isinstance(found, Numbers), found
+    assert sorted(found.values) == pytest.approx([6.32, 8.0])
+    assert not found.misfit
+
+
 def judged(typed, truth=(0.4, 2.1)):
     wanted = Quantity(truth, 2.14, 0.01, (0.0,) * len(truth), dict, None, dict, list, list, list)
     return judging("list").judge(read(typed), Expected(QUESTION, quantity=wanted))

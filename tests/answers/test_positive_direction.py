@@ -98,6 +98,8 @@ def test_a_speed_takes_no_sign_from_words():
     [
         ("Through which angle from the vertical does it swing?", "vertical"),
         ("An angle of 30° above the horizontal", "horizontal"),
+        ("By what angle below the horizontal does it move?", "below horizontal"),
+        ("Unter welchem Winkel unterhalb der Horizontalen?", "below horizontal"),
         ("How far?", ""),
     ],
 )

@@ -49,6 +49,16 @@ def test_a_power_of_ten_that_lost_its_raising_is_asked_about(before, power):
     assert any(each == pytest.approx((0.00113,)) for each in meant(f"{before}{power}", SPEED))
 
 
+@pytest.mark.parametrize("text", ["1.13 10 -3", "1.13 10-3", "1.13 10 –3", "1,13 10 -3"])
+def test_a_blank_may_stand_for_the_cross_that_was_lost_too(text):
+    assert any(each == pytest.approx((0.00113,)) for each in meant(text, SPEED))
+
+
+@pytest.mark.parametrize("text", ["1.6x10e-19", "1.6*10E-19", "1.6 · 10e−19", "1,6 x 10 e-19"])
+def test_ten_to_a_power_typed_with_an_e_is_asked_about(text):
+    assert sorted(meant(text, SPEED)) == [pytest.approx((1.6e-19,)), pytest.approx((1.6e-18,))]
+
+
 @pytest.mark.parametrize(
     ("text", "value"), [("5*10 - 3", 47), ("0.5*10 - 3", 2), ("12*10 - 4", 116), ("1.13*10^-3", 0.00113), ("1.13*10 ^ -3", 0.00113), ("1.13*10", 11.3)]
 )  # fmt: skip
@@ -168,6 +178,9 @@ def test_an_approximate_value_and_one_behind_an_arrow_is_a_value(text):
         ("Speed", "How fast must it be at least?", "least"), ("Smallest speed", "", "least"), ("Height", "How high above its lowest point does it rise?", ""),
         ("", "What is the largest speed?", "greatest"), ("", "At the greatest height it stops. How long does it take?", ""),
         ("", "Between which places has it at least half of its largest speed?", ""), ("", "Wie schnell muss er mindestens sein?", "least"),
+        ("", "How long does it take from one moment when the distance is smallest to the next one?", ""), ("", "Which speed has it where the force is largest?", ""),
+        ("", "For which angle is the force largest?", ""), ("", "At what smallest speed does it get over the hill?", "least"),
+        ("", "What is the largest speed for which there is a circular orbit?", "greatest"), ("", "Wie lange dauert es, wenn die Kraft am größten ist?", ""),
     ],
 )  # fmt: skip
 def test_what_a_question_asks_of_extremes(title, text, asked):

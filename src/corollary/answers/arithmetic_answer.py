@@ -15,7 +15,7 @@ from itertools import pairwise
 
 from corollary.formula.abbreviations import ABBREVIATIONS, arity, function_words
 from corollary.formula.arithmetics import DOUBLES, ready
-from corollary.formula.ast import Call, Expr, Negative, Number, walk
+from corollary.formula.ast import Call, Expr, Name, Negative, Number, Product, Quotient, Sum, walk
 from corollary.formula.errors import ParseError, refused
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.lexer import Found, Token, tokens
@@ -28,6 +28,7 @@ from corollary.units.unit import ONE, Unit, read_unit, si_unit
 _ = catalogue(__name__)
 
 ROUNDING = 4e-16
+INVERSES = frozenset({"asin", "acos", "atan", "acot", "atan2"})
 LARGEST_FACTORIAL = 20
 NUMBER = re.compile(r"[0-9.,]")
 WORD = re.compile(r"π|P[iI](?![A-Za-z])|(?P<short>(?P<letters>[A-Za-z]+)[0-9]*)[A-Za-z]*")
@@ -49,10 +50,11 @@ BELOW_BRACKET = re.compile(r"\s*/\s*(?P<unit>[A-Za-zµΩ][^,;=+]*)\s*")
 
 @dataclass(frozen=True, slots=True)
 class Worked:
-    """What a calculation comes to, in `unit` (None when no unit was written)."""
+    """What a calculation comes to, in `unit` (None when no unit was written); `is_angle` tells that it is one in radians."""
 
     value: float
     unit: Unit | None
+    is_angle: bool = False
 
 
 @cache
@@ -93,6 +95,10 @@ def worked_out(normalized: str, *, euler: bool = False) -> Worked | ParseError:
     tree = formula([*read[:-2], read[-1]] if at_the_end else read, student=True, numbers=True)
     if isinstance(tree, ParseError):
         return tree
+    if written and written[-1] is read[-2] and units[written[-1].text].is_angle:
+        alone = formula([*read[:-2], read[-1]], student=True, numbers=True)
+        if not isinstance(alone, ParseError) and gives_angle(alone):
+            tree = alone  # `arctan(1)°`: an angle already, shown in degrees by a calculator
     if function := _bare_angle(tree):
         why = _("a number inside sin, cos or tan can be in degrees or in radians")
         return refused(why, None, _("write {function}(30°) or {function}(0.5 rad)", function=function))
@@ -114,7 +120,34 @@ def worked_out(normalized: str, *, euler: bool = False) -> Worked | ParseError:
     if at_the_end:
         return Worked(value, units[sized[0].text])
     of_value = sized or any(_outside_functions(read))  # the 30° of cos(30°) are no unit of the value
-    return Worked(value, si_unit(measured) if of_value and value else None)  # 0 is 0 in every unit
+    its_unit = si_unit(measured) if of_value and value else None  # 0 is 0 in every unit
+    turned = not sized and any(units[token.text].is_angle for token in _outside_functions(read))
+    return Worked(value, its_unit, turned or gives_angle(tree))
+
+
+def gives_angle(tree: Expr) -> bool:
+    """True of an angle by its form, which comes in radians: `arcsin(0.44)`, `pi/2 - arctan(2)`; not of `arcsin(0.44)*180/pi`."""
+    match tree:
+        case Call(function, _):
+            return function in INVERSES
+        case Negative(inside):
+            return gives_angle(inside)
+        case Sum(terms):
+            return any(map(gives_angle, terms))
+        case Product(factors):
+            return any(map(gives_angle, factors)) and not any(map(_in_degrees, factors))
+        case Quotient(above, below):
+            return gives_angle(above) and not _in_degrees(below)
+        case _:
+            return False
+
+
+def _in_degrees(factor: Expr) -> bool:
+    """Whether a factor is there to make degrees of radians, or may be: pi, 180, 57.3."""
+    return any(
+        node == Name("pi") or (isinstance(node, Number) and (node.value == 180 or 57 <= node.value <= 58))
+        for node in walk(factor)
+    )
 
 
 def _sum_at_the_top(signs: list[Token]) -> bool:

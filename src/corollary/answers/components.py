@@ -55,6 +55,7 @@ BULLET = re.compile(r"^\s*[-*•–]\s+(?=[^\W\d])")
 LEVEL = re.compile(r"\b(?:horizontal(?:ly)?|waagerecht|horisontalt?)\b(?! (?:to|up|down))", re.IGNORECASE)
 UPRIGHT = re.compile(r"\b(?:vertical(?:ly)?|senkrecht|vertikalt?)\b(?! (?:up|down))", re.IGNORECASE)
 TRANSPOSED = re.compile(r"(?<=[)\]])\s*(?:\^\s*(?:T|\{T\}|\(T\))|ᵀ|\.T)(?=\s|$)")
+FACTOR = re.compile(r"[-+]|[-+]?[0-9.]+(?:\s*[A-Za-z][^()=:,;]*)?\s*\*|[-+]?[0-9.]+")
 IN_SLASHES = re.compile(r"\s*([-+]?[0-9]+(?:,[0-9]+)?)\s*/\s*([-+]?[0-9]+(?:,[0-9]+)?)\s*")
 
 
@@ -90,14 +91,16 @@ def pieces_of(
     along = [found for found in ALONG.finditer(inside) if _axis(found) < count]
     if along and (not names or are_axes(names)):  # in a plane k is no direction, but may be a letter
         return _directed(inside, unit, count)
-    if count == 2 and inside != normalized.strip() and (slashed := _slashed(inside)) is not None:
+    if count == 2 and (slashed := _slashed(inside)) is not None:
         return slashed
     found = _listed(_parted(inside, names), unit, count, expected)
     if isinstance(found, ParseError):
         return found
     found = _in_order([labelled(piece, names) for piece in found], names, question)
     return (
-        found if isinstance(found, ParseError) or not factor else [f"{factor}*({piece})" for piece in found]
+        found
+        if isinstance(found, ParseError) or not factor
+        else [f"{f'{factor}1' if factor in ('-', '+') else factor}*({piece})" for piece in found]
     )
 
 
@@ -174,7 +177,7 @@ def _unwrapped(normalized: str) -> tuple[str, str, str]:
         or re.search(r"[,;]", before)
     ):
         return text, "", ""
-    scaled = re.fullmatch(r"[-+]?[0-9.]+\s*\*", before)
+    scaled = FACTOR.fullmatch(before)
     if before and (
         (behind and not scaled)
         or re.search(r"[A-Za-z]{3}$|[=:]", before)
@@ -213,7 +216,9 @@ def _listed(inside: str, unit: str, count: int, expected: Unit | None) -> list[s
         )
     if pieces is None:
         return _other_count(max(map(len, splits)) if re.search("[0-9]", inside) else 0, count, expected)
-    behind = re.fullmatch(r"[^A-Za-z°%]*?([A-Za-z°%].*)", pieces[-1].strip())
+    behind = re.fullmatch(
+        r"[^A-Za-z°%]*?((?:(?<=\s)1\s*/\s*|(?<=[0-9])\s*/\s*)?[A-Za-z°%].*)", pieces[-1].strip()
+    )
     alone = not re.search(r"[^\W\d_]|[°º%‰]", "".join(pieces[:-1]).replace("e", ""))
     # In `(0, m*v)` what stands behind is a formula, and belongs to its own component alone.
     if not unit and behind and alone and _is_unit(behind[1]):

@@ -24,6 +24,14 @@ LOST_RAISING = re.compile(
 TEN_BELOW = re.compile(
     r"(?P<top>[0-9.,]+)\s*/\s*(?P<bottom>[0-9]+(?:[.,][0-9]+)?)(?:\s?[xX]\s?|\s+)10(?:\^|\*\*)(?P<power>[({]?[-+]?[0-9]+[)}]?)"
 )
+# `1.13 10 -3`, where a blank stands for the cross, too.
+LOST_CROSS = re.compile(
+    r"(?<![0-9.,])(?P<number>[1-9][.,][0-9]+)\s+10\s?(?P<power>[-−–]\s?[0-9]{1,2}|\s[0-9])(?![0-9.,^*/(])"
+)
+# `1.6x10e-19`: ten to that power, or ten times as much.
+TEN_TWICE = re.compile(
+    r"(?<![0-9.,])(?P<number>[0-9]+(?:[.,][0-9]+)?)\s?[xX×*·⋅]\s?10\s?[eE]\s?(?P<power>[-+−–]?[0-9]{1,2})(?![0-9.,])"
+)
 HEXADECIMAL = re.compile(r"(?<![0-9.,A-Za-z])0[xXbBoO][0-9A-Fa-f]")
 
 
@@ -56,6 +64,14 @@ def _of_a_power(typed: str) -> ParseError | None:
             return _asked(typed, lost, why, f"{number}*10^{power}", f"{number}*10*{power}")
         why = _("{text} can be a power of ten or a difference", text=lost[0].strip())
         return _asked(typed, lost, why, f"{number}*10^-{power}", f"({number}*10) - {power}")
+    if (lost := LOST_CROSS.search(typed)) is not None:
+        power = re.sub(r"\s", "", lost["power"]).replace("−", "-").replace("–", "-")
+        why = _("{text} may be a power of ten that lost its raising", text=lost[0].strip())
+        return _asked(typed, lost, why, f"{lost['number']}*10^{power}")
+    if (ten := TEN_TWICE.search(typed)) is not None:
+        number, power = ten["number"], ten["power"].replace("−", "-").replace("–", "-").lstrip("+")
+        why = _("{text} can be a power of ten, or ten times it", text=ten[0].strip())
+        return _asked(typed, ten, why, f"{number}*10^{power}", f"{number}*10*10^{power}")
     if (ten := TEN_BELOW.search(typed)) is not None:
         top, bottom, power = ten["top"], ten["bottom"], f"10^{ten['power'].strip('(){}')}"
         why = _("{text} can be a product or a fraction", text=ten[0].strip())

@@ -9,6 +9,7 @@ from collections.abc import Collection, Sequence
 from corollary.answers.answer import Formulas, Unclear
 from corollary.answers.left_side import (
     as_formula,
+    gives,
     gives_what_is_asked,
     is_another_given,
     named,
@@ -47,6 +48,9 @@ SEVERAL = re.compile(
     rf"(?<![A-Za-z])(?:{'|'.join(sorted(word for word, name in function_words().items() if arity(name) > 1 or name == 'ln'))})(?![A-Za-z])"
 )
 EQUALS = re.compile(r"[=≈]|\\(?:approx|simeq|sim)\b|\s~\s")
+TWO_LINES = re.compile(
+    r"[\w)\]}²³]\s*\n\s*[\w(\[{\\]"
+)  # no sign at the end of one or the beginning of the next
 GLUED_BELOW = re.compile(r"/\s*[0-9]+(?:[.,][0-9]+)?[^\W\d_]")
 MINUS = re.compile(r"\s*(?:minus|negative)\s+(?=\S)", re.IGNORECASE)
 LOGARITHM = re.compile(r"(?<![A-Za-z])log(?![A-Za-z0-9_])")
@@ -70,6 +74,8 @@ def formula_in(
     """The formula in these letters that a text is; `unit` may stand behind it, being what is asked for."""
     if len(text) > LONGEST:
         return parse(text, letters, lean=lean)
+    if TWO_LINES.search(text):
+        return refused(_("these are two lines"), None, _("write one formula"))
     sides: tuple[str, ...] = ()
     if (minus := MINUS.match(text)) is not None and not EQUALS.search(text):
         text = "-".rjust(minus.end()) + text[minus.end() :]
@@ -187,13 +193,7 @@ def _solved(text: str, question: Question) -> Unclear | None:
     if dimension_in(alone, question) != question.unit.dimension:
         return None
     read = formula_text(alone)
-    why = _(
-        "{side} = {value} gives {name} = {choice}",
-        side=sides[0],
-        value=formula_text(tree),
-        name=found.name,
-        choice=read,
-    )
+    why = gives(sides[0], formula_text(tree), found, read)
     ending = _("type the angle") if of_angle else _("write the formula alone")
     return Unclear(f"{why}; {ending}", as_typed(text), (formulas(alone),), benefit=True)
 

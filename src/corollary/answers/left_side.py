@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 
-from corollary.answers.name import SYMBOL, apart, is_name, is_talk, keyboard
+from corollary.answers.name import CUSTOMARY, SYMBOL, apart, is_name, is_talk, keyboard
 from corollary.answers.question import Question
 from corollary.formula.abbreviations import function_words
 from corollary.formula.ast import Call, Expr, Number, Power, Product, Quotient
@@ -17,8 +17,11 @@ from corollary.formula.ast import names as letters_of
 from corollary.formula.errors import ParseError
 from corollary.formula.symbols import GREEK
 from corollary.formula.syntax import parse
+from corollary.messages import catalogue
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import ONE, Dimension, Unit, unit
+
+_ = catalogue(__name__)
 
 NUMBER = r"[0-9]+(?:[.,][0-9]+)?(?:\s*/\s*[0-9]+)?"
 MULTIPLE = re.compile(
@@ -43,12 +46,6 @@ LATER = frozenset(
 )  # fmt: skip
 EARLIER = frozenset({"", "0", "1", "i", "before", "initial"})
 DIFFERENCE = re.compile(rf"\s*(?P<one>{SYMBOL})\s*-\s*(?P<other>{SYMBOL})\s*")
-# What a letter usually stands for, where nobody says: only to tell `m v = 8.6 kg m/s` (its formula) from `F dt = 86 N`.
-CUSTOMARY: dict[str, str] = {
-    "m": "kg", "M": "kg", "v": "m/s", "u": "m/s", "w": "m/s", "V": "m/s", "t": "s", "T": "s", "F": "N", "N": "N", "a": "m/s^2", "g": "m/s^2",
-    "p": "kg*m/s", "P": "kg*m/s", "J": "kg*m/s", "E": "J", "K": "J", "U": "J", "W": "J", "Q": "J", "h": "m", "s": "m", "x": "m", "y": "m",
-    "d": "m", "L": "m", "l": "m", "r": "m", "R": "m", "k": "N/m", "omega": "rad/s", "I": "kg*m^2",
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +55,17 @@ class Solved:
     name: str
     factor: Fraction = Fraction(1)
     function: str = ""
+
+
+def gives(side: str, value: str, found: Solved, choice: str) -> str:
+    """What is said of a left side that was solved: `2*F = 172 N gives F = 86 N`."""
+    return _(
+        "{side} = {value} gives {name} = {choice}",
+        side=side.strip(),
+        value=value,
+        name=found.name,
+        choice=choice,
+    )
 
 
 def solvable(side: str, question: Question | None = None) -> Solved | None:

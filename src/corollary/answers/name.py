@@ -8,7 +8,7 @@ from corollary.answers.question import Question
 from corollary.formula.abbreviations import function_words
 from corollary.formula.numerals import VULGAR
 from corollary.formula.symbols import GREEK, LOWERED
-from corollary.units.unit import ONE
+from corollary.units.unit import ONE, unit
 
 MARKS = "̄⃗̂̇̃̅"  # bars, arrows, hats and dots above a letter
 INDEX = r"(?:_\{[^{}=]{1,16}\}|_\([^()=]{1,16}\)|\[[0-9A-Za-z]{1,2}\]|[^\W²³¹⁰⁴-⁹⁻]|[₀-₉ₐ-ₜ]|['⁎]|\*(?!\s*[\w(.]))"
@@ -48,6 +48,12 @@ TWO_LETTERS = re.compile(
     rf"^(?!(?:{LONG_GREEK})(?![a-z]))[A-Za-z](?:{LONG_GREEK})(?![a-z])|(?<=[A-Za-z])(?:Delta|[Δ∆])"
 )
 VOWEL = re.compile(r"[aeiouyåøäöü]", re.IGNORECASE)
+# What a letter usually stands for, where nobody says: only to tell `m v = 8.6 kg m/s` (its formula) from `F dt = 86 N`.
+CUSTOMARY: dict[str, str] = {
+    "m": "kg", "M": "kg", "v": "m/s", "u": "m/s", "w": "m/s", "V": "m/s", "t": "s", "T": "s", "F": "N", "N": "N", "a": "m/s^2", "g": "m/s^2",
+    "p": "kg*m/s", "P": "kg*m/s", "J": "kg*m/s", "E": "J", "K": "J", "U": "J", "W": "J", "Q": "J", "h": "m", "s": "m", "x": "m", "y": "m",
+    "d": "m", "L": "m", "l": "m", "r": "m", "R": "m", "k": "N/m", "omega": "rad/s", "I": "kg*m^2",
+}  # fmt: skip
 CHANGING = "pPvVuEKUWLxyzst"  # of which d and a letter is a change: `dp`, `dK`
 
 
@@ -78,7 +84,9 @@ def _is_one(run: str, question: Question | None) -> bool:
     if head is None:
         return False
     if head["change"] in ("d", "D") and head.end() == len(bare):
-        return head["letter"] in CHANGING and "d" not in givens
+        its_unit = CUSTOMARY.get(head["letter"], "1")
+        measured = question is not None and unit(its_unit).dimension == question.unit.dimension != ONE
+        return head["letter"] in CHANGING and ("d" not in givens or measured)  # `dK` in J is no d times K
     index = re.split(r"_|\(|\[|-|,", bare[head.end() :])[0]
     if not index.strip("'⁎*"):
         return True

@@ -19,6 +19,7 @@ from corollary.answers.formula import (
 from corollary.answers.machine_number import exact, machine, sure
 from corollary.answers.quantity import TABLE, Reading, read_quantity
 from corollary.answers.question import Question
+from corollary.answers.unit_meant import STANDARD_GRAVITY
 from corollary.formula.abbreviations import function_words
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.value import (
@@ -50,6 +51,8 @@ WORDS_BEFORE = re.compile(r"\s*(?P<words>[^\W\d_]{2,}(?:\s+[^\W\d_]+)*)\s*[:,]?\
 SEVERAL = re.compile(
     r"^\s*[(\[][^()\[\]]*[0-9][,;\s]+[^()\[\]]*[0-9][^()\[\]]*[)\]]|[0-9][^0-9]*(?:[;,]\s|\band\b)[^0-9]*[0-9]"
 )
+SHARES = frozenset({"%", "‰"})
+TURNS = re.compile(r"\b(?:turns?|revolutions?|rotations?|umdrehung\w*|omdreining\w*)\b", re.IGNORECASE)
 AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)?\([0-9]+\)|[0-9]+(?:[.,][0-9]+)+")
 
 
@@ -62,9 +65,10 @@ def scalar(value: Value, question: Question) -> Numbers | Formulas | Blank | Unc
         case Nothing():
             return Blank()
         case Real(number):
-            return machine(number, unit)
+            found = machine(number, unit)
+            return found if isinstance(found, Unclear) else with_share(found, unit)
         case Exact(number):
-            return exact(number, unit)
+            return with_share(exact(number, unit), unit)
         case Complex(real, imaginary):
             if abs(imaginary) <= 1e-12 * abs(real) or imaginary == 0:
                 return machine(real, unit)
@@ -102,8 +106,11 @@ def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear
     if unit.text in ("rad", "deg"):  # where an angle is asked for, `cos^-1(…)` is one
         text = INVERSE.sub(r"arc\g<of>", text)
     found = read_quantity(text, unit, question)
-    if isinstance(found, Reading) and found.fit != "wrong dimension":
-        return from_reading(found, unit)
+    own_gravity = (
+        isinstance(found, Reading) and found.unit == STANDARD_GRAVITY and "g" in question.symbol_names
+    )
+    if isinstance(found, Reading) and found.fit != "wrong dimension" and not own_gravity:
+        return with_share(_in_turns(from_reading(found, unit), found, question), unit)
     if (
         isinstance(found, ParseError)
         and found.status == "asked"
@@ -135,6 +142,40 @@ def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear
         several = meanings(found, text, unit)
         return Unclear(_explained(found, text, question), as_typed(text), several, benefit=bool(several))
     return from_reading(found, unit)
+
+
+def with_share(found: Numbers, unit: Unit) -> Numbers | Unclear:
+    """The number; asked about where it is less than 1, has no unit, and a share in percent is asked for: 0.497 is 49.7 %."""
+    (value,) = found.values
+    if unit.text not in SHARES or found.sizes or not 0 < abs(value) < unit.si:
+        return found
+    number, sign = value / unit.si, show(unit)
+    share = f"{number / unit.si:.6g} {sign}"
+    why = _(
+        "{number} can be {small} or {large}; write its unit",
+        number=found.as_read.removesuffix(sign).strip(),
+        small=f"{number:.6g} {sign}",
+        large=share,
+    )
+    figures = {"figures": found.figures, "most": found.most}
+    meant = tuple(
+        Numbers((each,), as_read=text, sizes=(unit.si,), zeros=(0.0,), **figures)
+        for each, text in ((number, share), (value, f"{number:.6g} {sign}"))
+    )
+    return Unclear(why, found.as_read, meant, benefit=True)
+
+
+def _in_turns(found: Numbers, read: Reading, question: Question) -> Numbers:
+    """An angle as a number of turns, where turns are counted: 1000 rad are 159 of them."""
+    if (
+        read.unit is None
+        or not read.unit.is_angle
+        or question.unit.text != "1"
+        or not TURNS.search(question.title)
+    ):
+        return found
+    turn = 2 * math.pi
+    return replace(found, values=(found.values[0] / turn,), sizes=(read.unit.si / turn,))
 
 
 def _explained(trouble: ParseError, text: str, question: Question) -> str:

@@ -15,6 +15,7 @@ from corollary.answers.components import are_axes, in_one_line, pieces_of, unrea
 from corollary.answers.doubts import TABLE, doubtful
 from corollary.answers.left_side import (
     Solved,
+    gives,
     gives_what_is_asked,
     is_another_given,
     named,
@@ -38,7 +39,7 @@ from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.formula.numerals import LONGEST, TO_ASCII, Written, decimal_text, scan_number
 from corollary.messages import catalogue, in_convention
-from corollary.units.unit import ONE, PURE, Dimension, Unit, kind, read_unit, show
+from corollary.units.unit import ONE, PURE, UNITS, Dimension, Unit, kind, read_unit, show
 
 _ = catalogue(__name__)
 
@@ -217,7 +218,7 @@ def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | No
 
 def _solved(side: str, found: Solved, last: Reading, wanted: Unit) -> ParseError:
     """What a left side gives for the letter it is solved for, to be judged in its place and said."""
-    value = solved_value(found, in_si(last) if found.function else float(last.value))
+    value = solved_value(found, float(last.value))
     if value is None:
         why = _("{side} stands on the left, not the answer alone", side=side)
         return ParseError("asked", why, None, _("write one number and a unit"))
@@ -226,13 +227,7 @@ def _solved(side: str, found: Solved, last: Reading, wanted: Unit) -> ParseError
     else:
         its_unit = "" if found.function else f" {last.unit.text}" if last.unit is not None else ""
     choice = f"{decimal_text(Fraction(f'{value:.6g}'), 0)}{its_unit}"
-    why = _(
-        "{side} = {value} gives {name} = {choice}",
-        side=side,
-        value=last.as_read,
-        name=found.name,
-        choice=choice,
-    )
+    why = gives(side, last.as_read, found, choice)
     how = _("type the angle") if turns(found) and wanted.is_angle else _("write the answer alone")
     return ParseError("asked", why, None, how, (choice,))
 
@@ -384,7 +379,13 @@ def _worked(
     if isinstance(found, ParseError):
         return found
     number = Written(Fraction(f"{found.value:.15g}"), 0, 0)
-    return _reading(text, number, found.unit, expected, decimal_text(Fraction(f"{found.value:.6g}"), 0))
+    in_radians = (
+        found.is_angle
+        and expected is not None
+        and ((expected.is_angle and not expected.bare) or (expected.text == "1" and found.unit is not None))
+    )
+    its_unit = UNITS["rad"] if in_radians else found.unit
+    return _reading(text, number, its_unit, expected, decimal_text(Fraction(f"{found.value:.6g}"), 0))
 
 
 def in_si(reading: Reading) -> float:

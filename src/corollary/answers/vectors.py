@@ -12,8 +12,8 @@ from corollary.answers.answer import Answer, Blank, Formulas, Letter, Numbers, U
 from corollary.answers.components import are_axes, labelled, place_named
 from corollary.answers.direction import LONGEST, axis_named, beside_axis, with_direction
 from corollary.answers.formula import as_typed
-from corollary.answers.left_side import solvable, unknown_letter
-from corollary.answers.numbers import PLACEHOLDERS, from_reading, scalar, turned_away
+from corollary.answers.left_side import gives, solvable, unknown_letter
+from corollary.answers.numbers import PLACEHOLDERS, from_reading, scalar, turned_away, with_share
 from corollary.answers.quantity import Reading, components_in, read_quantities, read_quantity
 from corollary.answers.question import Question
 from corollary.formula.ast import Expr, Number
@@ -120,7 +120,7 @@ def _in_one_text(text: str, question: Question) -> Read:
         return multiple
     found = read_quantities(text, question.unit, count, question.components, question)
     if not isinstance(found, ParseError):
-        return _together([from_reading(each, question.unit) for each in found])
+        return _together([with_share(from_reading(each, question.unit), question.unit) for each in found])
     if chosen := _chosen(found, question):
         return Unclear(sentence(found), as_typed(text), chosen)
     pieces = components_in(text, count, question.components, question=question)
@@ -162,13 +162,8 @@ def _multiple(text: str, question: Question) -> Unclear | None:
         return None
     values = tuple(float(found.factor) * value for value in inside.values)
     numbers = ", ".join(decimal_text(Fraction(f"{value / question.unit.si:.6g}"), 0) for value in values)
-    why = _(
-        "{side} = {value} gives {name} = {choice}",
-        side=side.strip(),
-        value=inside.as_read,
-        name=found.name,
-        choice=in_convention(f"({numbers}) {show(question.unit)}".strip()),
-    )
+    choice = in_convention(f"({numbers}) {show(question.unit)}".strip())
+    why = gives(side, inside.as_read, found, choice)
     return Unclear(why, as_typed(text), (replace(inside, values=values, polar=None),), benefit=True)
 
 

@@ -138,7 +138,7 @@ def _raised(line: Line, base: Expr, token: Token) -> Expr:
         behind.kind == "sign"
         and behind.text == "/"
         and behind.tight
-        and (bottom == Number(Fraction(1)) or (tens and isinstance(bottom, Name)))
+        and (bottom == Number(Fraction(1)) or _of_a_root(bottom, line) or (tens and isinstance(bottom, Name)))
     )
     if not (line.student and typed and (product or quotient)) or line.lean == "near":
         return near
@@ -156,9 +156,15 @@ def _raised(line: Line, base: Expr, token: Token) -> Expr:
             _("it is not clear where the exponent ends"),
             behind.at,
             text(far),
-            text(Quotient(near, factor) if quotient else Product((near, factor))),
+            f"({text(near)})/{text(factor)}" if quotient else text(Product((near, factor))),
         )
     )
+
+
+def _of_a_root(bottom: Expr, line: Line) -> bool:
+    """Whether `3/2`, `5/2` stands behind the sign of a power: `x^3/2` is meant for a root at least as often as for half a cube."""
+    odd = isinstance(bottom, Number) and bottom.value in (3, 5, 7)
+    return odd and line.after.kind == "number" and line.after.value == 2 and line.after.tight
 
 
 def _brackets(line: Line) -> int:
@@ -241,6 +247,8 @@ def _first(line: Line, least: int) -> Expr:
             return Negative(_formula(line, max(least, ADD)))
         case "sign" if token.text == "+" and least < TIMES:
             line.take()
+            if line.student and line.next.text == "-" and line.next.tight:
+                refuse(_("+- can be ± or minus"), token.at, _("write one sign"))
             return _formula(line, max(least, ADD))
         case "sign":
             refuse(_("something is missing before {text}", text=token.text), token.at)

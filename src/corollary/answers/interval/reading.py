@@ -19,7 +19,7 @@ _ = catalogue(__name__)
 
 LONGEST = 200
 FROM_TO = re.compile(
-    r"\s*(?:(?:from|between|von|zwischen|fra|mellom)\s+)?(?P<low>\S.*?)\s+(?:to|and|bis|und|til|og|\.\.\.?|…)\s+(?P<high>\S.*?)\s*",
+    r"\s*(?:(?:[^\W\d]\w*\s+(?:(?:is|lies|ist|liegt|er|ligger)\s+)?)?(?:from|between|von|zwischen|fra|mellom)\s+)?(?P<low>\S.*?)\s+(?:to|and|bis|und|til|og|\.\.\.?|…)\s+(?P<high>\S.*?)\s*",
     re.IGNORECASE,
 )
 NUMBER_AND_UNIT = (
@@ -37,6 +37,10 @@ TWO_BOUNDS = re.compile(
 )
 CHAIN = re.compile(r"(?P<low>[^<≤>≥=]+)(?:[<>]=?|[≤≥])\s*[^\W\d]\w*\s*(?:[<>]=?|[≤≥])(?P<high>[^<≤>≥=]+)")
 ONE_END = re.compile(r"\s*(?:[^\W\d]\w*\s*(?:[<>]=?|[≤≥]))?\s*(?P<end>[^<≤>≥=]+)")
+# As far to either side of zero: `±5.2 cm`, `|x| ≤ 5.2 cm`.
+TO_EITHER_SIDE = re.compile(
+    rf"\s*(?:(?:±|\+/-|\+-)|\|\s*[^\W\d]\w*\s*\|\s*(?:<=?|≤|⩽)|abs\(\s*[^\W\d]\w*\s*\)\s*(?:<=?|≤))\s*(?P<end>(?![-+−]){NUMBER_AND_UNIT}|\d[^<>≤≥=;]*?)\s*"
+)
 AROUND = re.compile(
     r"\s*\(?\s*(?P<middle>[^±()]+?)\s*(?:±|\+/-|\+-)\s*(?P<half>[0-9.,]+)\s*\)?\s*(?P<unit>[^±]*)"
 )
@@ -62,7 +66,9 @@ class IntervalType(AnswerType):
         if isinstance(value, Text) and len(value.text) <= LONGEST:
             if (around := AROUND.fullmatch(value.text)) is not None:
                 return _around(around["middle"], around["half"], around["unit"], question)
-            if (found := OPEN.fullmatch(value.text)) is not None:
+            if (sides := TO_EITHER_SIDE.fullmatch(value.text)) is not None:
+                value = Text(f"-{sides['end']}; {sides['end']}")
+            elif (found := OPEN.fullmatch(value.text)) is not None:
                 value = Text(f"({found['low']}; {found['high']}) {found['unit'] or ''}".strip())
             elif (
                 found := TWO_BOUNDS.fullmatch(value.text)

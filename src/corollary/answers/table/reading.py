@@ -13,14 +13,21 @@ from corollary.answers.components import pieces_of
 from corollary.answers.numbers import PLACEHOLDERS, scalar, turned_away
 from corollary.answers.question import Question
 from corollary.answers.table.entry import entry_question, heads, numbered, units_of
+from corollary.formula.errors import ParseError
 from corollary.formula.value import Items, Named, Nothing, Refused, Text, Value
 from corollary.messages import catalogue
-from corollary.units.unit import show
+from corollary.units.unit import read_unit, show
 
 _ = catalogue(__name__)
 
 LONGEST = 2000
 INNER = re.compile(r"[\[(]([^\[\]()]*)[\])]")
+MATRIX = re.compile(r"\\(?:begin|end)\s*\{[a-zA-Z]*(?:matrix|array|tabular)\*?\}(?:\{[lcr|]*\})?|\$")
+CALLED = re.compile(
+    r"\A\s*(?:[a-zA-Z_]\w*\s*=\s*)?(?:(?:np|numpy|sp|sympy)\.)?(?:array|matrix|Matrix)\s*\((?P<inside>.*)\)\s*\Z",
+    re.DOTALL,
+)
+UNIT_BEHIND = re.compile(r"\A(?P<rows>.*[\])])\s*\*?\s*(?P<unit>[A-Za-zµΩ°%].*)\Z", re.DOTALL)
 ROWS = re.compile(r"\\\\|;|\n")
 RULED = re.compile(
     r"\A(?P<head>[^\n]*\|[^\n]*)\n[\s|:]*-{2,}[-\s|:]*\n(?P<rows>.*)\Z", re.DOTALL
@@ -90,6 +97,8 @@ def _rows(value: Value, question: Question) -> list[Row] | Unclear:
         case Text(text) if len(text) <= LONGEST and (ruled := RULED.search(text)):
             named = _of_markdown(ruled, question)
             return named if isinstance(named, Unclear) else _rows(named, question)
+        case Text(text) if len(text) <= LONGEST and (named := _labelled(_lines(text), question)) is not None:
+            return _by_name(*named, question)
         case Text(text) if len(text) <= LONGEST:
             rows: list[Row] = [[Text(row)] for row in _lines(text)]
         case Named(names, items):
@@ -133,6 +142,10 @@ def _opened(row: Row, width: int) -> Row:
 
 def _lines(text: str) -> list[str]:
     """One text for each row: `[[1, 2], [3, 4]]`, `1, 2; 3, 4`, or a row a line."""
+    text = MATRIX.sub(" ", text)
+    text = called["inside"] if (called := CALLED.match(text)) else text
+    if (behind := UNIT_BEHIND.match(text.strip())) and not isinstance(read_unit(behind["unit"]), ParseError):
+        return [f"({row}) {behind['unit']}" for row in _lines(behind["rows"])]
     inner = INNER.findall(text)
     if len(inner) > 1 and not INNER.sub("", text).strip(" \n\t,;[]()"):
         return inner
@@ -140,6 +153,19 @@ def _lines(text: str) -> list[str]:
     if bare[:1] in ("[", "(") and bare[-1:] in ("]", ")") and len(inner) <= 1:
         bare = bare[1:-1]
     return [line.strip().rstrip(",") for line in ROWS.split(bare) if line.strip()]
+
+
+def _labelled(lines: Sequence[str], question: Question) -> tuple[tuple[str, ...], tuple[Value, ...]] | None:
+    """The labels and the entries of `left: 1, 2; right: 3, 4`, where each row begins with a label asked for."""
+    pairs = [re.split(r"\s*[:=]\s*", line, maxsplit=1) for line in lines]
+    if not all(len(pair) == 2 for pair in pairs):
+        return None
+    labels = tuple(pair[0] for pair in pairs)
+    return (
+        (labels, tuple(Text(pair[1]) for pair in pairs))
+        if _places(labels, question.rows) is not None
+        else None
+    )
 
 
 def _of_markdown(ruled: re.Match[str], question: Question) -> Value | Unclear:
