@@ -115,3 +115,12 @@ def test_g_is_the_letter_of_the_problem_before_it_is_a_unit_of_acceleration():
     assert found.values == pytest.approx((0.387 * 9.80665,))
     on_the_moon = question("m/s^2", symbols=(Symbol("g", unit("m/s^2")),))
     assert not isinstance(read("0.387 g", on_the_moon), Numbers)
+
+
+def test_a_loss_said_twice_is_a_loss_and_asked_about_where_the_loss_is_asked_for():
+    found = read("-205 J lost", question("J", "Change of kinetic energy"))
+    assert isinstance(found, Numbers)
+    assert found.values == (-205,)
+    asked = read("-205 J lost", question("J", "Energy lost"))
+    assert isinstance(asked, Unclear)
+    assert {each.values for each in asked.readings} == {(-205,), (205,)}

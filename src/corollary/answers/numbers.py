@@ -157,9 +157,8 @@ def with_share(found: Numbers, unit: Unit) -> Numbers | Unclear:
         small=f"{number:.6g} {sign}",
         large=share,
     )
-    figures = {"figures": found.figures, "most": found.most}
     meant = tuple(
-        Numbers((each,), as_read=text, sizes=(unit.si,), zeros=(0.0,), **figures)
+        replace(found, values=(each,), as_read=text, missing="", sizes=(unit.si,), zeros=(0.0,))
         for each, text in ((number, share), (value, f"{number:.6g} {sign}"))
     )
     return Unclear(why, found.as_read, meant, benefit=True)

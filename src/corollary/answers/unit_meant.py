@@ -17,7 +17,7 @@ _ = catalogue(__name__)
 PLURAL = re.compile(r"(?<![A-Za-z])([A-Za-zµ]{2,})s(?![A-Za-z])")
 STANDARD_GRAVITY = Unit("g_n", Dimension.of("m s^-2"), Fraction("9.80665"))
 # What is typed for a unit that is another one, by what is asked for.
-SHORT = {
+SHORT: dict[Dimension, dict[str, Unit]] = {
     UNITS["s"].dimension: {"a": UNITS["yr"], "y": UNITS["yr"]},
     UNITS["kg"].dimension: {"gm": UNITS["g"], "gms": UNITS["g"]},
     STANDARD_GRAVITY.dimension: dict.fromkeys(("g", "gs", "g's"), STANDARD_GRAVITY),
