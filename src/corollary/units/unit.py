@@ -32,7 +32,7 @@ JOINED = re.compile(
     r"(?<=[A-Za-z])-(?=[A-Za-z])|(?<=[A-Za-z0-9⁰¹²³⁴-⁹)])\.(?=\s?[A-Za-z(])"
 )  # `N-s`, `kg.m/s`
 # Written apart, or in words that another rule would take for a slash.
-SAID = {
+IN_OTHER_WORDS = {
     re.compile(pattern): sign
     for pattern, sign in {
         r"(?<![A-Za-z])times (?:an?|per|each|every)\s+(?=[a-z])": "1/",
@@ -73,7 +73,7 @@ def in_signs(text: str) -> str:
     """The unit with a sign for every word and mark; a place in it stays a place in what was typed, but for whole brackets."""
     if whole := ALL.fullmatch(text):
         text = whole[1] or whole[2] or ""
-    for pattern, sign in SAID.items():
+    for pattern, sign in IN_OTHER_WORDS.items():
         text = pattern.sub(sign, text)
     text = RAISED_BEHIND.sub(lambda found: f"^{2 if found[1].lower() == 'squared' else 3}", text)
     text = RAISED_BEFORE.sub(lambda found: f"{found['unit']}^{2 if found['square'] else 3}", text)
