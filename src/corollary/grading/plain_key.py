@@ -98,19 +98,19 @@ def _bare(solution: Solution) -> Solution:
 
 
 def _unknown(find: Unknown) -> Unknown:
-    return replace(
-        find,
+    """Of an unknown only what is named here: a field that is added later stays out."""
+    return Unknown(
         statement=_statement(find.part),
+        names=find.names,
         laws=(),
         local=_recording(find.local),
+        in_givens=find.in_givens,
         routes=tuple(SolvedRoute(Route("", (), 0), _recording(each.rule)) for each in find.routes),
         mistakes=tuple(Mistake(each.text, _recording(each.rule), 0) for each in find.mistakes),
         rejected=(),
+        dimensions=find.dimensions,
+        scale=find.scale,
         note=None,
-        functions=(),
-        where=(),
-        others=(),
-        aside={},
     )
 
 
@@ -119,7 +119,7 @@ def _statement(part: str) -> Statement:
 
 
 def _law(law: AppliedLaw) -> AppliedLaw:
-    return replace(law, source="", holds="")
+    return AppliedLaw(law.name, "", "", law.textbook, law.vectors, law.here)
 
 
 def _recording(rule: Rule) -> Rule:
