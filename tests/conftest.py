@@ -20,8 +20,10 @@ from babel.messages.catalog import Catalog
 from babel.messages.mofile import write_mo
 from hypothesis import settings
 from tests import programs
+from tests.lender import Lender
 
 from corollary import messages, plug_ins
+from corollary.sandbox import runner
 
 # The same examples in every run; `HYPOTHESIS_PROFILE=searching make test` draws others, and more of them.
 settings.register_profile("repeatable", deadline=None, derandomize=True)
@@ -122,6 +124,19 @@ def jupyter():
             server.wait()
 
     return started
+
+
+@pytest.fixture(scope="session")
+def _lender() -> Iterator[Lender]:
+    lender = Lender()
+    yield lender
+    lender.end()
+
+
+@pytest.fixture
+def one_zygote(_lender: Lender, monkeypatch: pytest.MonkeyPatch) -> None:
+    """For tests whose matter is what becomes of answers: the runners of this process run notebooks with one zygote in turn."""
+    monkeypatch.setattr(runner, "Zygote", _lender)
 
 
 @pytest.fixture(autouse=True)

@@ -11,25 +11,25 @@ from pathlib import Path
 from kernel import CLONE_NEWNS, MS_BIND, MS_PRIVATE, MS_REC, libc, mount
 
 NOBODY = 65534
-ACCOUNT = int(os.environ.get("AS_ACCOUNT", NOBODY))
 
 
 def main() -> None:
     script, *arguments = sys.argv[1:]
     if os.geteuid() == 0:
-        _become_ordinary()
+        become_ordinary(int(os.environ.get("AS_ACCOUNT", NOBODY)))
     os.execv(sys.executable, [sys.executable, script, *arguments])
 
 
-def _group() -> int:
+def _group(account: int) -> int:
     """Return the account's own group, so that no two accounts share one."""
     try:
-        return pwd.getpwuid(ACCOUNT).pw_gid
+        return pwd.getpwuid(account).pw_gid
     except KeyError:
         return NOBODY
 
 
-def _become_ordinary() -> None:
+def become_ordinary(account: int) -> None:
+    """Give up all rights but those of an account; the interpreter stays readable."""
     interpreter = Path(sys.base_prefix)
     closed = [folder for folder in reversed(interpreter.parents) if not folder.stat().st_mode & 0o001]
     if closed:
@@ -45,9 +45,9 @@ def _become_ordinary() -> None:
         os.umask(umask)
         mount(aside, str(interpreter), None, MS_BIND | MS_REC)
     os.setgroups([])
-    group = _group()
+    group = _group(account)
     os.setresgid(group, group, group)
-    os.setresuid(ACCOUNT, ACCOUNT, ACCOUNT)
+    os.setresuid(account, account, account)
 
 
 if __name__ == "__main__":

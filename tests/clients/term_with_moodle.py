@@ -8,12 +8,13 @@ import io
 import json
 import os
 import subprocess
-import sys
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
+
+from tests import forked
 
 from corollary.course.demo.player import right_sources
 from corollary.grading.solutions import Solutions
@@ -25,7 +26,6 @@ from corollary.problem.roster import Student
 from corollary.records.assignments import read_assigned
 from corollary.records.files import open_course, students
 
-COMMAND = Path(sys.executable).with_name("corollary")
 DRIVER = Path(__file__).with_name("moodle_course.php")
 TITLE = "Week 1, impulse"
 SET = f"""---
@@ -169,15 +169,8 @@ class Term:
 
     def run(self, *words: str) -> dict[str, Any]:
         """What a command of ours printed as JSON, with what it said besides as `said`."""
-        line = [str(COMMAND), *words, "--course", "course", "--json"]
-        done = subprocess.run(
-            line,
-            cwd=self.folder,
-            env={**os.environ, "TZ": "UTC"},
-            capture_output=True,
-            encoding="utf-8",
-            check=False,
-        )
+        line = [forked.COMMAND, *words, "--course", "course", "--json"]
+        done = forked.run(line, cwd=self.folder, env={**os.environ, "TZ": "UTC"})
         assert done.returncode == 0, done.stderr
         return {**json.loads(done.stdout), "said": done.stderr}
 

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from itertools import pairwise
-from pathlib import Path
 
 import nbformat
 import pytest
+from tests import forked
 
 from corollary.problem.bank import chapter_bank
 
 BANK = chapter_bank()
-COMMAND = Path(sys.executable).with_name("corollary")
 
 
 @pytest.mark.parametrize("problem", list(BANK), ids=lambda each: each.code)
@@ -36,9 +33,7 @@ def test_an_answer_is_named_by_the_letter_above_it(problem):
 def test_a_sheet_shows_one_letter_for_a_part(tmp_path):
     """The catalogue has S12.5r a, b, c, d and f: students see (e) and S12_5r_e, and nowhere the f."""
     page = tmp_path / "sheet.ipynb"
-    subprocess.run(
-        [COMMAND, "show", "S12.5r", "--format", "ipynb", "-o", page], check=True, capture_output=True
-    )
+    forked.run([forked.COMMAND, "show", "S12.5r", "--format", "ipynb", "-o", page], check=True)
     sources = "\n".join(cell["source"] for cell in nbformat.read(page, as_version=4).cells)
     assert "#### (e)" in sources
     assert "S12_5r_e = None" in sources
@@ -50,7 +45,7 @@ def test_a_sheet_shows_one_letter_for_a_part(tmp_path):
 def test_options_have_capitals_and_a_formula_is_asked_for(form, tmp_path):
     for code, words in (("X12.9", ("(A)", "(C)")), ("X12.1", ("formula",))):
         page = tmp_path / f"{code}.{form}"
-        subprocess.run([COMMAND, "show", code, "--format", form, "-o", page], check=True, capture_output=True)
+        forked.run([forked.COMMAND, "show", code, "--format", form, "-o", page], check=True)
         text = page.read_text(encoding="utf-8")
         for word in words:
             assert word in text or f"<b>{word.strip('()')}</b>" in text

@@ -24,6 +24,7 @@ from corollary.records.origin import set_of, write_origin
 from corollary.records.report_model import report_record
 from corollary.sandbox.runner import Runner
 
+pytestmark = pytest.mark.usefixtures("one_zygote")
 DUE = datetime(2026, 12, 4, 22, 59, 59, 999999, tzinfo=UTC)  # the end of the day in Oslo
 DAY = timedelta(days=1)
 SET = (

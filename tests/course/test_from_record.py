@@ -19,6 +19,7 @@ from corollary.records.files import Course, one_writer, open_course
 from corollary.records.origin import set_of
 from corollary.sandbox.runner import Runner
 
+pytestmark = pytest.mark.usefixtures("one_zygote")
 SET = "---\ntitle: One exercise\ndue: 2026-03-02T12:00+00:00\ncredit: {late: 0.8}\nreveal: after due\nproblems:\n  - X12.5\n---\nOne exercise.\n"
 LONG_AFTER = datetime(2026, 6, 1, tzinfo=UTC)
 WHEN = {"ada": "2026-03-01 09:00:00 UTC", "ben": "2026-03-02 11:00:00 UTC", "cyd": "2026-03-03 10:00:00 UTC"}

@@ -32,6 +32,7 @@ from corollary.sandbox.runner import Runner
 
 from .small_class import POINTS, handed_in, order
 
+pytestmark = pytest.mark.usefixtures("one_zygote")
 ANSWERS: dict[str, str] = {
     "digits": "10**1_000_000",
     "text": "'9' * 10_000_000",

@@ -19,6 +19,7 @@ from corollary.sandbox.runner import Runner
 
 from .changing_bank import ChangingBank, Text
 
+pytestmark = pytest.mark.usefixtures("one_zygote")
 QUESTION = "\n## Why {#e .explain points=2}\nWhy?\n"
 ANSWER = '        explain("e", "names the momentum", "names the force", answer="It is so."),\n    )\n'
 

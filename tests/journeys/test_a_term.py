@@ -10,7 +10,6 @@ import os
 import re
 import shutil
 import sqlite3
-import subprocess
 import sys
 import time
 import zipfile
@@ -20,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests import forked
 
 pytestmark = pytest.mark.term
 BIN = Path(sys.executable).parent
@@ -97,9 +97,9 @@ class Term:
         return self.folder / "mechanics"
 
     def run(self, *words: object, program: str = "corollary", fails: bool = False) -> Done:
-        line = [str(BIN / program), *map(str, words)]
+        line = [BIN / program, *words]
         here = self.course if self.course.is_dir() else self.folder
-        done = subprocess.run(line, cwd=here, env=ENVIRONMENT, capture_output=True, text=True, check=False)
+        done = forked.run(line, cwd=here, env=ENVIRONMENT)
         assert "Traceback" not in done.stderr, done.stderr
         if not fails:
             assert done.returncode == 0, (line, done.stdout, done.stderr)

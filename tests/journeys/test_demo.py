@@ -13,15 +13,14 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests import forked
 
 pytestmark = pytest.mark.whole
 BIN = Path(sys.executable).parent
 
 
 def corollary(*words: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [str(BIN / "corollary"), *map(str, words)], capture_output=True, text=True, timeout=240, check=False
-    )
+    return forked.run([BIN / "corollary", *words], timeout=240)
 
 
 @pytest.fixture(scope="module")
@@ -118,14 +117,7 @@ def test_nbgraders_own_commands_work_on_it(played: tuple[Path, dict], tmp_path: 
     course = tmp_path / "course"
     shutil.copytree(folder, course)
     for words in (["generate_feedback", "momentum_1", "--student", "ada"], ["export", "--to", "grades.csv"]):
-        done = subprocess.run(
-            [str(BIN / "nbgrader"), *words],
-            cwd=course,
-            capture_output=True,
-            text=True,
-            timeout=200,
-            check=False,
-        )
+        done = forked.run([BIN / "nbgrader", *words], cwd=course, timeout=200)
         assert done.returncode == 0, done.stderr
     assert (course / "feedback" / "ada" / "momentum_1" / "momentum_1.html").stat().st_size > 10_000
     rows = (course / "grades.csv").read_text(encoding="utf-8").splitlines()

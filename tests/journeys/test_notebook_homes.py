@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import shutil
-import subprocess
-import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -13,9 +11,9 @@ from pathlib import Path
 from urllib.request import urlopen
 
 import pytest
+from tests import forked
 
 pytestmark = pytest.mark.browser
-COROLLARY = Path(sys.executable).with_name("corollary")
 # Seconds: the pages are served, drawn and run on a machine that runs other tests too.
 PATIENCE = 300
 
@@ -51,17 +49,24 @@ CLASSIC = Home(
 HOMES = {"lab": ("lab/tree", JUPYTER), "notebook": ("notebooks", JUPYTER), "nbclassic": ("", CLASSIC)}
 
 
+@pytest.fixture(scope="module")
+def course(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """One student for each program."""
+    folder = tmp_path_factory.mktemp("class")
+    (folder / "roster.csv").write_text("\n".join(["id", *HOMES, ""]), encoding="utf-8")
+    corollary("generate", "momentum_1", "--roster", folder / "roster.csv", "--course", folder / "course")
+    return folder / "course"
+
+
 @pytest.mark.parametrize("kind", HOMES)
-def test_a_sheet_is_answered_there_and_marked_right(kind: str, tmp_path: Path, jupyter, chromium):
-    roster = tmp_path / "roster.csv"
-    roster.write_text("id,name\nada,Ada\n", encoding="utf-8")
-    course = tmp_path / "course"
-    corollary("generate", "momentum_1", "--roster", roster, "--course", course)
+def test_a_sheet_is_answered_there_and_marked_right(
+    kind: str, course: Path, tmp_path: Path, jupyter, chromium
+):
     for folder in ("work", "own"):
         (tmp_path / folder).mkdir()
     sheet = tmp_path / "work" / "sheet.ipynb"
-    shutil.copy(course / "release" / "ada" / "momentum_1" / "momentum_1.ipynb", sheet)
-    right = corollary("key", "X12.5", "--student", "ada", "--course", course)["parts"]["a"]["value"]
+    shutil.copy(course / "release" / kind / "momentum_1" / "momentum_1.ipynb", sheet)
+    right = corollary("key", "X12.5", "--student", kind, "--course", course)["parts"]["a"]["value"]
     typed = f"{right:.4f} kg m/s".replace(".", ",")
     place, home = HOMES[kind]
     with jupyter(kind, sheet.parent, tmp_path / "own") as address:
@@ -98,10 +103,10 @@ def test_a_sheet_is_answered_there_and_marked_right(kind: str, tmp_path: Path, j
         page.keyboard.press("Control+s")
         until(lambda: "read as" in sheet.read_text(encoding="utf-8"), "the sheet was not saved")
         page.close()
-    handed_in = course / "submitted" / "ada" / "momentum_1" / "momentum_1.ipynb"
+    handed_in = course / "submitted" / kind / "momentum_1" / "momentum_1.ipynb"
     handed_in.parent.mkdir(parents=True)
     shutil.copy(sheet, handed_in)
-    part = corollary("grade", "momentum_1", "--course", course)["students"]["ada"]["parts"]["X12_5_a"]
+    part = corollary("grade", "momentum_1", "--course", course)["students"][kind]["parts"]["X12_5_a"]
     assert (part["verdict"], part["points"]) == ("right", 1.0)
 
 
@@ -122,8 +127,6 @@ def until(holds: Callable[[], bool], otherwise: str) -> None:
 
 
 def corollary(*arguments: object) -> dict:
-    done = subprocess.run(
-        [COROLLARY, *map(str, arguments), "--json"], capture_output=True, text=True, encoding="utf-8"
-    )
+    done = forked.run([forked.COMMAND, *arguments, "--json"])
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests import forked
 
 pytest.importorskip("nbgrader")
 
@@ -95,10 +96,7 @@ def course(tmp_path: Path) -> Path:
 
 def run(course: Path, program: str, *words: str) -> subprocess.CompletedProcess[str]:
     environment = {**os.environ, "PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}"}
-    return subprocess.run(
-        [str(BIN / program), *words], cwd=course, env=environment, capture_output=True, encoding="utf-8",
-        timeout=300, check=False,
-    )  # fmt: skip
+    return forked.run([BIN / program, *words], cwd=course, env=environment, timeout=300)
 
 
 def test_hand_ins_and_feedback_go_through_it_and_own_sheets_do_not(course: Path) -> None:

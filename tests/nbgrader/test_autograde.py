@@ -11,6 +11,7 @@ from pathlib import Path
 
 import nbformat
 import pytest
+from tests import forked
 
 pytest.importorskip("nbgrader")
 
@@ -95,14 +96,7 @@ def courses(
     write_whole(made.course.notebook("submitted", "zoe", SET), file_text(nbformat.v4.new_notebook()))
     subprocess.run(["cp", "-a", str(folder / "ours"), str(folder / "theirs")], check=True)
     grade_set(made.course, problem_set, solutions, Runner)
-    done = subprocess.run(
-        [str(BIN / "nbgrader"), "autograde", SET],
-        cwd=folder / "theirs",
-        capture_output=True,
-        text=True,
-        timeout=300,
-        check=False,
-    )
+    done = forked.run([BIN / "nbgrader", "autograde", SET], cwd=folder / "theirs", timeout=300)
     assert done.returncode == 1, "zoe is on no roster, and that is said"
     return made.course, open_course(folder / "theirs"), done.stdout + done.stderr
 
@@ -165,10 +159,11 @@ def test_nbgrader_waits_its_turn_while_another_run_is_writing(courses: tuple[Cou
     place = theirs.notebook("autograded", "chen", SET)
     before, marks = place.read_bytes(), rows(theirs, GRADES)
     with one_writer(theirs):
-        done = subprocess.run(
-            [str(BIN / "nbgrader"), "autograde", SET, "--student", "chen", "--force"],
-            cwd=theirs.folder, capture_output=True, text=True, timeout=300, check=False,
-        )  # fmt: skip
+        done = forked.run(
+            [BIN / "nbgrader", "autograde", SET, "--student", "chen", "--force"],
+            cwd=theirs.folder,
+            timeout=300,
+        )
     assert done.returncode == 1
     assert "another run is at work in" in done.stdout + done.stderr
     assert (place.read_bytes(), rows(theirs, GRADES)) == (before, marks)

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from tests import forked
 
 pytest.importorskip("nbgrader")
 
@@ -66,41 +67,81 @@ class Hub:
         *words: object,
         program: Path = NBGRADER,
         umask: int = 0o022,
+        started: bool = False,
     ) -> subprocess.CompletedProcess[str]:
-        """A command of nbgrader's or ours, by a student or by the instructor, who is root or an account."""
+        """A command of nbgrader's or ours, by a student or by the instructor, who is root or an account; started as the
+        program that it is, or forked."""
         home = self.course if who in (None, TEACHER) else self.home(who)
-        by = [] if who is None else [sys.executable, ORDINARY_USER]
         about = {"HOME": home, "PATH": os.environ["PATH"], "PYTHONDONTWRITEBYTECODE": "1", "TMPDIR": home}
-        about |= {} if who is None else {"AS_ACCOUNT": who.pw_uid}
-        return subprocess.run(
-            list(map(str, (*by, program, *words))), cwd=home, env={name: str(value) for name, value in about.items()},
-            capture_output=True, encoding="utf-8", timeout=200, check=False, umask=umask,
-        )  # fmt: skip
+        environment = {name: str(value) for name, value in about.items()}
+        by, account = [], None if who is None else who.pw_uid
+        if started and account is not None:
+            by, account, environment["AS_ACCOUNT"] = [sys.executable, ORDINARY_USER], None, str(account)
+        return forked.run(
+            [*by, program, *words], cwd=home, env=environment, timeout=200, umask=umask, account=account
+        )
 
 
 def notebook(path: Path) -> bytes:
     return path.read_bytes()
 
 
-@pytest.fixture
-def hub() -> Iterator[Hub]:
+@pytest.fixture(scope="module")
+def place() -> Iterator[Path]:
     with tempfile.TemporaryDirectory() as name:  # pytest's own folders are for one user
-        hub = Hub(Path(name))
-        hub.folder.chmod(0o755)
-        (hub.folder / "one.md").write_text(SET)
-        bank = chapter_bank()
-        problem_set = find_set(bank, str(hub.folder / "one.md"))
-        roster = [Student(ADA.pw_name), Student(BEN.pw_name)]
-        generate(hub.course, problem_set, roster, Solutions(bank))
-        (hub.folder / "exchange").mkdir()
-        (hub.folder / "exchange").chmod(0o777)
-        config = hub.course / "nbgrader_config.py"
-        config.write_text(config.read_text() + f"c.Exchange.root = {str(hub.folder / 'exchange')!r}\n")
-        for who in (ADA, BEN):
-            hub.home(who).mkdir()
-            (hub.home(who) / "nbgrader_config.py").write_text(HUB.format(root=str(hub.folder / "exchange")))
-            shutil.chown(hub.home(who), who.pw_uid, who.pw_gid)
-        yield hub
+        Path(name).chmod(0o755)
+        yield Path(name)
+
+
+def copied(source: Path, folder: Path) -> Hub:
+    """A hub where the one that was copied had been made, with everybody's rights."""
+    subprocess.run(["cp", "-a", source, folder], check=True)
+    return Hub(folder)
+
+
+@pytest.fixture(scope="module")
+def just_made(place: Path) -> Path:
+    hub = Hub(place / "hub")
+    hub.folder.mkdir()
+    (hub.folder / "one.md").write_text(SET)
+    bank = chapter_bank()
+    problem_set = find_set(bank, str(hub.folder / "one.md"))
+    roster = [Student(ADA.pw_name), Student(BEN.pw_name)]
+    generate(hub.course, problem_set, roster, Solutions(bank))
+    (hub.folder / "exchange").mkdir()
+    (hub.folder / "exchange").chmod(0o777)
+    config = hub.course / "nbgrader_config.py"
+    config.write_text(config.read_text() + f"c.Exchange.root = {str(hub.folder / 'exchange')!r}\n")
+    for who in (ADA, BEN):
+        hub.home(who).mkdir()
+        (hub.home(who) / "nbgrader_config.py").write_text(HUB.format(root=str(hub.folder / "exchange")))
+        shutil.chown(hub.home(who), who.pw_uid, who.pw_gid)
+    return hub.folder.rename(place / "just made")
+
+
+@pytest.fixture(scope="module")
+def handed_in(place: Path, just_made: Path) -> Path:
+    """The sheets released by an instructor who is not root, fetched and handed in by both."""
+    hub = copied(just_made, place / "hub")
+    for path in (hub.course, *hub.course.rglob("*")):
+        shutil.chown(path, TEACHER.pw_uid, TEACHER.pw_gid)
+    assert hub.run(TEACHER, "release_assignment", "one").returncode == 0
+    for who in (ADA, BEN):
+        for words in ("fetch_assignment", "submit"):
+            assert hub.run(who, words, "one").returncode == 0
+    return hub.folder.rename(place / "handed in")
+
+
+@pytest.fixture
+def hub(place: Path, just_made: Path) -> Iterator[Hub]:
+    yield copied(just_made, place / "hub")
+    shutil.rmtree(place / "hub")
+
+
+@pytest.fixture
+def hub_with_hand_ins(place: Path, handed_in: Path) -> Iterator[Hub]:
+    yield copied(handed_in, place / "hub")
+    subprocess.run(["rm", "-rf", place / "hub"], check=True)  # deeper than Python's own removal goes
 
 
 def test_each_fetches_the_own_sheet_and_can_read_no_other(hub: Hub) -> None:
@@ -108,7 +149,7 @@ def test_each_fetches_the_own_sheet_and_can_read_no_other(hub: Hub) -> None:
     assert released.returncode == 0, released.stderr
     assert sorted(path.name for path in hub.outbound.iterdir()) == sorted([ADA.pw_name, BEN.pw_name])
     for who in (ADA, BEN):
-        done = hub.run(who, "fetch_assignment", "one")
+        done = hub.run(who, "fetch_assignment", "one", started=who == ADA)
         assert done.returncode == 0, done.stderr
         own = hub.course / "release" / who.pw_name / "one" / "one.ipynb"
         assert notebook(hub.home(who) / "one" / "one.ipynb") == notebook(own)
@@ -274,13 +315,10 @@ def test_whatever_rights_a_student_gives_the_own_files(hub: Hub) -> None:
 
 
 @pytest.mark.parametrize("harm", ["closed", "link", "pipe", "name", "large", "deep", "loop"])
-def test_what_one_student_hands_in_keeps_no_other_from_being_collected(hub: Hub, harm: str) -> None:
-    for path in (hub.course, *hub.course.rglob("*")):
-        shutil.chown(path, TEACHER.pw_uid, TEACHER.pw_gid)
-    assert hub.run(TEACHER, "release_assignment", "one").returncode == 0
-    for who in (ADA, BEN):
-        for words in ("fetch_assignment", "submit"):
-            assert hub.run(who, words, "one").returncode == 0
+def test_what_one_student_hands_in_keeps_no_other_from_being_collected(
+    hub_with_hand_ins: Hub, harm: str
+) -> None:
+    hub = hub_with_hand_ins
     (place,) = (hub.folder / "exchange" / "course" / "inbound").glob(f"{ADA.pw_name}+one+*")
     match harm:
         case "closed":
@@ -305,7 +343,6 @@ def test_what_one_student_hands_in_keeps_no_other_from_being_collected(hub: Hub,
     assert "Traceback" not in done.stderr
     assert (hub.course / "submitted" / BEN.pw_name / "one" / "one.ipynb").is_file()
     assert not (hub.course / "submitted" / ADA.pw_name / "one").exists()
-    subprocess.run(["rm", "-rf", place / "a"], check=True)  # deeper than Python's own removal goes
 
 
 def test_a_time_that_is_none_keeps_no_other_from_being_collected_again(hub: Hub) -> None:
