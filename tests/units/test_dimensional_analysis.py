@@ -51,10 +51,18 @@ OF = {
         ("m*v = M*w", "kg*m/s"),
         ("v > 0", "m/s"),
         ("exp(-v/w)*pi", "1"),
+        ("m*h^(r - 1)/h^(r - 1)", "kg"),
+        ("m*(h/(2*h))^(r - 1)", "kg"),
+        ("v^r*w^(theta - r)*v^(2 - theta)", "m^2/s^2"),
+        ("(h^r)^(1/r)", "m"),
+        ("m*h^(r - 1) = M*h^(r - 1)", None),
+        ("v^((r - 1)/r)*v^(1/r)", "m/s"),
     ],
 )
 def test_a_formula_measures_what_its_letters_give(formula, measures):
-    assert dimension_of(author_formula(formula), OF) == unit(measures).dimension
+    found = dimension_of(author_formula(formula), OF)
+    assert not isinstance(found, ParseError)
+    assert measures is None or found == unit(measures).dimension
 
 
 @pytest.mark.parametrize(
@@ -67,6 +75,11 @@ def test_a_formula_measures_what_its_letters_give(formula, measures):
         ("ln(v)", "v (m/s) cannot be inside ln"),
         ("r^h", "h (m) cannot be an exponent"),
         ("v^theta", "v (m/s) can only have a number as its exponent"),
+        ("m*h^(r - 1) = M*h^r", "h (m) can only have a number as its exponent"),
+        ("h^r*h^theta", "h (m) can only have a number as its exponent"),
+        ("h^r + h", "h (m) can only have a number as its exponent"),
+        ("m*h^(h/v) = M", "h/v (s) cannot be an exponent"),
+        ("h^sin(theta)", "h (m) can only have a number as its exponent"),
         ("atan2(v, h)", "v (m/s) and h (m) cannot be compared"),
         ("v = h", "v (m/s) and h (m) cannot be compared"),
         ("sqrt(v^2 + 2*g)", "v^2 (m²/s²) and 2*g (m/s²) cannot be added"),

@@ -3,12 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 from typing import assert_never
 
-from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
+from corollary.formula.ast import (
+    Call,
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+    children,
+    names,
+    rebuilt,
+    walk,
+)
 from corollary.formula.errors import ParseError, refused
-from corollary.formula.exact import constant
+from corollary.formula.exact import constant, exactly
 from corollary.formula.functions import FUNCTIONS
+from corollary.formula.rational_pi import RationalPi
 from corollary.formula.text import text
 from corollary.messages import N_, catalogue
 from corollary.units.unit import ONE, Dimension, show, si_unit
@@ -23,20 +40,60 @@ INSIDE = N_("{part} cannot be inside {function}")
 Found = Dimension | None  # None is the dimension of 0: it may be added to whatever it stands beside
 
 
+EXPONENTS = (
+    tuple(Fraction(each, 101) for each in (137, 251, 389, 523, 661, 797)),
+    tuple(Fraction(each, 89) for each in (173, 277, 359, 487, 743, 911)),
+)
+"""Numbers in place of the letters of exponents, between which nobody's law has a relation."""
+
+
 class _Mismatch(Exception):
-    def __init__(self, why: str) -> None:
+    def __init__(self, why: str, letter_in_exponent: bool = False) -> None:
         self.why = why
+        self.letter_in_exponent = letter_in_exponent
 
 
 def dimension_of(tree: Expr, dimensions: Mapping[str, Dimension]) -> Dimension | ParseError:
     """The dimension of a formula; of a comparison, that of its sides. 0 counts as a plain number.
 
-    Letters that are not in `dimensions` raise KeyError.
+    A quantity may have letters in its exponent where the units come out alike whatever their numbers are, as in
+    T*V^(k-1)/W^(k-1). Letters that are not in `dimensions` raise KeyError.
     """
     try:
         return _dimension(tree, dimensions) or ONE
     except _Mismatch as mismatch:
-        return refused(mismatch.why, None, _("look at the units of each term"))
+        found = _whatever_the_exponents(tree, dimensions) if mismatch.letter_in_exponent else None
+        return found or refused(mismatch.why, None, _("look at the units of each term"))
+
+
+def _whatever_the_exponents(tree: Expr, dimensions: Mapping[str, Dimension]) -> Dimension | None:
+    """The dimension that a formula has with some numbers in its exponents and with others; None where these are not the same.
+
+    Powers of units are linear in the exponents: where two sets of odd numbers agree, all do. Of a comparison each set need
+    only make the sides alike.
+    """
+    found: list[Dimension] = []
+    exponents = [each.exponent for each in walk(tree) if isinstance(each, Power)]
+    inside = frozenset[str]().union(*map(names, exponents))
+    letters = sorted(name for name in inside if name == "pi" or dimensions[name] == ONE)
+    if len(letters) > len(EXPONENTS[0]):
+        return None
+    for primes in EXPONENTS:
+        values = {name: RationalPi(prime) for name, prime in zip(letters, primes, strict=False)}
+        try:
+            found.append(_dimension(_with_exponents(tree, values), dimensions) or ONE)
+        except _Mismatch:
+            return None
+    return found[0] if isinstance(tree, Relation) or len(set(found)) == 1 else None
+
+
+def _with_exponents(tree: Expr, values: Mapping[str, RationalPi]) -> Expr:
+    below = tuple(_with_exponents(each, values) for each in children(tree))
+    if isinstance(tree, Power) and constant(tree.exponent) is None:
+        power = exactly(tree.exponent, values)
+        if power is not None and not power.pi:
+            return Power(below[0], Number(power.ratio))
+    return rebuilt(tree, below)
 
 
 def _dimension(tree: Expr, of: Mapping[str, Dimension]) -> Found:
@@ -98,7 +155,10 @@ def _power(base: Expr, exponent: Expr, of: Mapping[str, Dimension]) -> Found:
     if below is None or below == ONE:
         return None if below is None and power != 0 else ONE
     if power is None:
-        raise _Mismatch(_("{part} can only have a number as its exponent", part=_described(base, below)))
+        raise _Mismatch(
+            _("{part} can only have a number as its exponent", part=_described(base, below)),
+            letter_in_exponent=True,
+        )
     return below**power
 
 

@@ -65,6 +65,10 @@ class DimensionInference:
         """Takes a relation as true. Raises ValueError where no choice of dimensions makes it so."""
         try:
             self._of(relation)
+            if names(relation) - {"pi"} <= (so_far := self.dimensions).keys():
+                misfit = dimension_of(relation, so_far)
+                if isinstance(misfit, ParseError):
+                    raise ValueError(sentence(misfit))
         except ValueError:
             so_far = self.dimensions
             for part in walk(relation):
@@ -117,6 +121,10 @@ class DimensionInference:
                 self._equal(self._of(exponent), PURE_NUMBER)
                 below, power = self._of(base), constant(exponent)
                 if power is None:
+                    if not below.letters and below.known != ONE:
+                        return (
+                            self._anything()
+                        )  # T*V^(k-1): only the whole law tells, once all of it is known
                     self._equal(below, PURE_NUMBER)
                     return PURE_NUMBER
                 return PURE_NUMBER.times(below, power)
