@@ -179,21 +179,23 @@ def _number_outcome(
 ) -> AuditedAnswer:
     letter = nothing.asked
     solved = exercise.solved(exercise.numbers)
-    admitted = [root for root in solved.roots if not root.against]
+    stated = [root for root in solved.roots if not root.against]
+    admitted = _keeping_all(stated)
     if not solved.proven and not any(number.fits(root.values[letter]) for root in admitted):
         near = _put_in(exercise, number, letter)
         if near is None and exercise.square:
             return replace(nothing, why=UNPROVEN)
         admitted = [*(near or ()), *(admitted or _elsewhere(exercise, number, letter))]
-        if not admitted:
+        if not admitted and not stated:
             return replace(nothing, why=UNPROVEN)
-    if not admitted:
-        why = _why_impossible(exercise, number, letter, solved.roots)
-        return replace(nothing, finding="impossible", why=why)
-    for law, left, right in contradictions(admitted[0], CONTRADICTION):
+    if not admitted and stated:
+        law, left, right = next(contradictions(stated[0], CONTRADICTION))
         displayed = quantities_apart((left, right), None)
         why = f"the givens contradict each other: {law}"
         return replace(nothing, finding="impossible", why=why, violates=law, sides=displayed)
+    if not admitted:
+        why = _why_impossible(exercise, number, letter, solved.roots)
+        return replace(nothing, finding="impossible", why=why)
     distinct = _distinct(admitted, letter)
     judged = [(number.agreement(root.values[letter]), root) for root in distinct]
     best = next((each for name in ("agrees", "last figure") for each in judged if each[0] == name), judged[0])
@@ -228,11 +230,11 @@ def _under_conventions(
     """The finding, or *ambiguous* where a convention that the statement leaves open gives the published answer."""
     letter = found.asked
     for other, words in exercise.otherwise():
-        if any(_agrees(number, root, letter) for root in other.roots(other.numbers)):
+        if any(_agrees(number, root, letter) for root in _keeping_all(other.roots(other.numbers))):
             why = f"it is right with {words}, which the statement does not say"
             return replace(found, finding="ambiguous", why=why, violates="", sides=None)
     roots = [root for root in exercise.roots(exercise.numbers) if not root.against]
-    for root in roots:
+    for root in _keeping_all(roots):
         turned = dict(root.values) | {letter: -root.values[letter]}
         if number.agreement(turned[letter]) == "agrees" and not exercise.record.directions:
             unknowns = {name: turned[name] for name in exercise.unknowns}
@@ -251,6 +253,11 @@ def _under_conventions(
             why = "it is right in degrees, and has no unit"
             return replace(found, finding="ambiguous", why=why, violates="", sides=None)
     return found
+
+
+def _keeping_all(roots: Sequence[AdmittedRoot]) -> list[AdmittedRoot]:
+    """Of more laws than unknowns some are left over: what contradicts one of them is no root."""
+    return [root for root in roots if not any(contradictions(root, CONTRADICTION))]
 
 
 def _in_degrees(reading: Reading) -> Reading:
