@@ -65,6 +65,43 @@ def test_what_is_not_algebraic_is_named():
     assert "Axiom" not in text
 
 
+EMPTY = """\
+---
+code: X1.1
+title: A lever
+given:
+  a: {is: first force, value: 5, from: 1, to: 9, step: 1, unit: N}
+  x: {is: its arm, value: 2, from: 1, to: 4, step: 1, unit: m}
+require: ["a > 0", "x > 0", "a > %s N"]
+---
+A force {{a}} at {{x}}.
+
+## Torque {#a .value unit="N m"}
+How large is it?
+"""
+
+
+@pytest.mark.parametrize(("limit", "status"), [("2", 0), ("100", 1)])
+def test_conditions_that_no_numbers_keep_are_complained_of(tmp_path, monkeypatch, limit, status):
+    """Of no numbers everything could be proven. The letter PI is no pi."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    for folder in ("problems", "solutions"):
+        (tmp_path / folder / "t").mkdir(parents=True)
+    (tmp_path / "problems/t/lever.md").write_text(EMPTY % limit, encoding="utf-8")
+    (tmp_path / "solutions/t/lever.py").write_text(
+        "from corollary.author import derivation, step, unknowns\nfrom corollary.laws import law\n"
+        'def derive(a, x):\n    PI, = unknowns("PI")\n'
+        '    return derivation(step(PI, "w", law("Torque", "PI = a*x"), answers="a"))\n',
+        encoding="utf-8",
+    )
+    command = ["certify", "X1.1", "--bank", str(tmp_path), "-o", str(tmp_path / "key.v"), "--json"]
+    done = CliRunner().invoke(app, command)
+    assert done.exit_code == status, done.output
+    assert ("the claims may speak of nothing" in done.stderr) == bool(status)
+    outcomes = [each["outcome"] for each in json.loads(done.stdout)["claims"]]
+    assert outcomes == ["written", "written", "left out" if status else "written"]
+
+
 def test_without_a_checker_the_script_is_written_and_checking_is_refused(tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
     done = CliRunner().invoke(

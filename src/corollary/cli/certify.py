@@ -13,7 +13,7 @@ from corollary.derive.solution import Solution
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import home
 from corollary.verify.certificate.check import NoChecker, checker, unproven
-from corollary.verify.certificate.lemmas import Lemma
+from corollary.verify.certificate.lemmas import EMPTY, Lemma
 from corollary.verify.certificate.record import keep
 from corollary.verify.certificate.script import CertifiedStep, certificate, script
 from corollary.verify.obligations.claims import laws_of
@@ -56,7 +56,10 @@ def run(code: str, bank: Path | None, output: Path | None, check: bool, as_json:
                 "do not rely on it before it is known why",
                 file=sys.stderr,
             )
-    return FAILS if failed else HOLDS
+    empty = any(each.why == EMPTY for _, each, _ in rows)
+    if empty:
+        print(f"{problem.code}: {EMPTY}; mend its conditions or its ranges", file=sys.stderr)
+    return FAILS if failed or empty else HOLDS
 
 
 def _proven_by_algebra(solution: Solution) -> frozenset[str]:

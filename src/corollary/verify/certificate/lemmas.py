@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -88,6 +89,8 @@ HALF_ANGLE = (
     10**6
 )  # the largest denominator of the tangent of half an angle, whose sine and cosine are rational then
 PI = Fraction(314159265358979, 10**14)
+PI_IN_COQ = re.compile(r"(?<![\w'])PI\b")  # not a letter of the problem, which has a mark before it
+EMPTY = "no numbers were found that keep the conditions and have answers: the claims may speak of nothing"
 TACTIC = "first [ lra | field; lra | nra ]"
 
 
@@ -137,9 +140,7 @@ def lemmas(solution: Solution) -> Iterator[tuple[Unknown, list[Lemma]]]:
     """For each step of a derivation the lemmas that certify what it finds, for all numbers of the box."""
     box = Box(solution.problem)
     steps = [find for find in solution.unknowns if find.laws]
-    numbers = next(
-        (each.exact for each in _dealt(solution) if _admissible(each, solution)), dict[str, RationalPi]()
-    )
+    numbers = next((each.exact for each in _dealt(solution) if _admissible(each, solution)), None)
     for find, owed in zip(steps, only_roots(solution), strict=True):
         found = ", ".join(find.names)
         stem = "_".join(map(coq_name, find.names))
@@ -155,9 +156,12 @@ def lemmas(solution: Solution) -> Iterator[tuple[Unknown, list[Lemma]]]:
             yield find, [Lemma(*claim, why=why) for claim in claims]
             continue
         example = f"{stem}_example", f"the printed numbers fulfil what is taken for granted of {found}"
+        if numbers is None:
+            yield find, [*proofs, Lemma(*example, why=EMPTY)]
+            continue
         try:
             yield find, [*proofs, Lemma(*example, step.example(example[0], numbers))]
-        except (NotAlgebraic, Undefined, KeyError) as error:
+        except (NotAlgebraic, Undefined) as error:
             yield find, [*proofs, Lemma(*example, why=str(error) or "it has no value there")]
 
 
@@ -261,7 +265,7 @@ class StepInCoq:
         letters = [*self.givens, *self.roots.made.values(), *self.meant]
         every = [coq(each) for each in (*self.roots.known, *self.laws, *self.where, *self._divided_by())]
         goals = [*self.bounds, *self.conditions, *every]
-        if any("PI" in each for each in goals):
+        if any(PI_IN_COQ.search(each) for each in goals):
             raise NotAlgebraic("pi stands in what is taken for granted")
         body = " /\\\n    ".join(goals)
         binder = f"exists {' '.join(map(coq_name, letters))} : R,\n    " if letters else ""
