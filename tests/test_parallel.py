@@ -39,6 +39,11 @@ def killed(given: bytes) -> None:
     os.kill(os.getpid(), signal.SIGKILL)
 
 
+def left_running() -> int:
+    Thread(target=time.sleep, args=(10 * LONG,)).start()
+    return 1
+
+
 def divided(by: int) -> float:
     return 1 / by
 
@@ -120,3 +125,10 @@ def test_what_has_not_begun_is_cancelled_when_they_are_left() -> None:
 def test_one_that_cannot_begin_has_died() -> None:
     with Workers(2, killed, b"") as processes:
         assert outcomes([processes.submit(returned, b"") for _ in range(3)]) == [None] * 3
+
+
+def test_a_thread_that_a_task_leaves_running_keeps_nobody_waiting(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("corollary.parallel.GRACE_S", 0.2)
+    with Workers(2, nothing) as processes:
+        assert processes.submit(left_running).result(timeout=LONG) == 1
+        assert processes.submit(doubled, 4).result(timeout=LONG) == 8

@@ -21,6 +21,8 @@ Given = TypeVarTuple("Given")
 Result = TypeVar("Result")
 Task = tuple["Future[Any]", Callable[..., Any], tuple[Any, ...]]
 
+GRACE_S = 5.0  # seconds in which a process that has nothing more to do ends by itself
+
 
 class ProcessDied(RuntimeError):
     """The process that was at a task ended before it gave the result: killed, or out of memory."""
@@ -79,6 +81,8 @@ class Workers:
                 break
         with suppress(OSError):  # it is gone already
             pipe.send(None)
+        process.join(GRACE_S)  # it would wait for threads that a task has begun and not ended
+        process.kill()
         process.join()
         pipe.close()
 

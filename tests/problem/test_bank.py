@@ -9,9 +9,19 @@ from pathlib import Path
 import pytest
 
 from corollary.plug_ins import PlugInFault
-from corollary.problem.bank import Bank, UnknownCode, chapter_bank, find, home, load, open_bank
+from corollary.problem.bank import (
+    Bank,
+    UnknownCode,
+    chapter_bank,
+    find,
+    home,
+    load,
+    open_bank,
+    readable,
+)
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.problem_set import find_set
+from corollary.problem.translation import translations
 
 FRONT = "code: {code}\ntitle: A cart\ngiven:\n  m: {{is: mass, value: 1, unit: kg}}"
 
@@ -160,3 +170,14 @@ def test_the_bank_that_the_environment_names(bank, other, monkeypatch):
     assert open_bank(bank.folder) == bank
     monkeypatch.setenv("COROLLARY_BANK", "")
     assert open_bank(None) == chapter_bank()
+
+
+def test_what_is_no_file_is_that_problems_complaint(bank, tmp_path):
+    """A folder named like a translation is none; a pipe named like a problem is not waited for."""
+    beside = next(iter(bank)).path
+    beside.with_name(f"{beside.stem}.de.md").mkdir()
+    os.mkfifo(beside.with_name("pipe.md"))
+    problems, complaints = readable(bank)
+    assert beside in [each.path for each in problems]
+    assert translations(beside) == {}
+    assert list(map(str, complaints)) == ["pipe.md:1: is a folder, a pipe or a device; a problem is a file"]

@@ -47,6 +47,8 @@ def split(path: Path) -> tuple[TableNode, str, int]:
 
     Raises Malformed when the file cannot be read, has no front matter, or the front matter is not YAML.
     """
+    if path.exists() and not path.is_file():
+        raise Malformed([Diagnostic(path, 1, "is a folder, a pipe or a device; a problem is a file")])
     try:
         lines = path.read_text(encoding="utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:

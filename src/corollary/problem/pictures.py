@@ -62,7 +62,7 @@ def packed_file(path: Path) -> bytes:
 def unused(path: Path) -> list[Path]:
     """The pictures that no problem of this one's topic shows, in any language, and that are this one's to name: by the
     beginning of their name, or because it is the first of the topic."""
-    texts = sorted(path.parent.rglob("*.md"))
+    texts = sorted(each for each in path.parent.rglob("*.md") if each.is_file())
     used = {each.resolve() for text in texts for each in pictures_of(text)}
     stems = [text.stem for text in texts if "." not in text.stem]
     there = (each for each in sorted(path.parent.rglob("*")) if each.suffix.lower() in KINDS)

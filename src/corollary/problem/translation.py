@@ -53,7 +53,7 @@ class TextList:
 
 def translations(path: Path) -> dict[str, Path]:
     """The translations beside a problem or a set, by their language."""
-    found = sorted(path.parent.glob(f"{path.stem}.*.md"))
+    found = sorted(each for each in path.parent.glob(f"{path.stem}.*.md") if each.is_file())
     named = [(match, each) for each in found if (match := NAME.match(each.stem))]
     return {match["language"]: each for match, each in named if match["original"] == path.stem}
 

@@ -75,7 +75,8 @@ def origin(bank: Bank, problem: Problem, count: int) -> str:
 
     Raises NotDerivable where the solution cannot be read.
     """
-    texts = [packed_file(path) for path in sorted(problem.path.parent.glob(f"{problem.path.stem}*.md"))]
+    beside = sorted(problem.path.parent.glob(f"{problem.path.stem}*.md"))
+    texts = [packed_file(path) for path in beside if path.is_file()]
     own = source(bank, problem) if bank.solution(problem).is_file() else b""
     parts = (
         _programs(),
