@@ -11,6 +11,7 @@ from tests.derive.conftest import ASKS, FRONT
 from corollary.derive.solution import ClosedForms
 from corollary.formula.ball import RationalPi, evaluate
 from corollary.formula.text import text
+from corollary.grading.key import option_that_holds
 
 TWO_CARTS = '## Velocities {#a .vector unit="m/s" components="A B"}\nWhich?\n'
 
@@ -184,7 +185,7 @@ WHICH = "## Which? {#a .choice}\n\n- (a) one\n- (b) two\n"
     [
         ('choice("a", "So.", a=v > 2)', "its options are a, b; give each of them"),
         ('choice("a", "So.", a=v > 2, b=v <= 2, c=False)', "its options are a, b"),
-        ('choice("a", "So.", a=sympy.And(v > 2, m > 1), b=True)', "is no relation"),
+        ('choice("a", "So.", a=sympy.Piecewise((v, m > 1)) > 2, b=True)', "Piecewise"),
         ('step(p, "So.", momentum(p, m, v), answers="a")', "part a is .choice; answer it with choice(…)"),
     ],
 )
@@ -200,10 +201,40 @@ def test_a_choice_that_follows_from_a_find(solved):
         return derivation(step(p, "First.", momentum(p, m, v)), choice("a", "So.", a=p > 1, b=p <= 1))""",
         asks=WHICH,
     )
-    assert {letter: text(held) for letter, held in found.choices["a"].options.items()} == {
-        "a": "m*v > 1",
-        "b": "m*v <= 1",
-    }
+    assert written(found.choices["a"]) == {"a": [["m*v > 1"]], "b": [["m*v <= 1"]]}
+
+
+def written(choice):
+    return {letter: [[text(one) for one in way] for way in ways] for letter, ways in choice.options.items()}
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "first", "second"),
+    [
+        ("And(p > 1, p < 3)", "Or(p <= 1, p >= 3)", 2, 1),
+        ("Not(Or(p <= 1, p >= 3))", "Not(And(p > 1, p < 3))", 2, 1),
+        ("Xor(p > 1, p >= 3)", "Not(Xor(p > 1, p >= 3))", 2, 1),
+        ("Or(p > 1, p <= 1)", "False", 2, None),
+    ],
+)
+def test_options_of_several_relations(solved, a, b, first, second):
+    """Whatever joins them, the option that holds is the one that Python's own arithmetic finds."""
+    found = solved(
+        f"""
+        from sympy import And, Not, Or, Xor
+        return derivation(step(p, "First.", momentum(p, m, v)), choice("a", "So.", a={a}, b={b}))""",
+        asks=WHICH,
+    )
+    options = found.choices["a"].options
+    for value, right in ((first, "a"), (second, "b")):
+        if value is not None:
+            givens = {"m": RationalPi(Fraction(value)), "v": RationalPi(Fraction(1))}
+            assert option_that_holds(options, givens, "a") == right
+    if second is not None:
+        assert (
+            option_that_holds(options, {"m": RationalPi(Fraction(4)), "v": RationalPi(Fraction(1))}, "a")
+            == "b"
+        )
 
 
 def test_an_example_counts_what_stays_free(refused, solved):
@@ -343,7 +374,7 @@ def test_a_choice_knows_what_laws_needed_besides(solved, refused):
     asks = ASKS + "\n## Which? {#b .choice}\n?\n\n- (A) one\n- (B) other\n"
     step = 'step(p, "Both.", law("One", "p = q"), law("Two", "q = m*v"), also=[q], answers="a")'
     found = solved(f'return derivation({step}, choice("b", "So.", a=q > m*t, b=q <= m*t))', asks=asks)
-    assert {text(holds) for holds in found.choices["b"].options.values()} == {"m*v > m*t", "m*v <= m*t"}
+    assert written(found.choices["b"]) == {"a": [["m*v > m*t"]], "b": [["m*v <= m*t"]]}
     assert refused(f'return derivation({step}, choice("b", "So.", a=F > 0, b=F < 0))', asks=asks) == (
         8,
         "part b: option a: F is neither given nor found before by a formula",

@@ -11,13 +11,12 @@ import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.assumptions import Known
-from corollary.derive.cases import clauses
+from corollary.derive.cases import clauses, ways
 from corollary.derive.derivation import Always, Entry
 from corollary.derive.load import NotDerivable
-from corollary.derive.solution import ClaimedCondition, SolvedChoice
+from corollary.derive.solution import ClaimedCondition, SolvedChoice, Ways
 from corollary.derive.statements import Choice
 from corollary.formula.ast import Number, Relation
-from corollary.formula.from_sympy import NoTree, relation
 from corollary.problem.part import Part
 
 
@@ -28,18 +27,14 @@ def solved_choice(entry: Choice[Boolean | bool], part: Part, known: Known) -> So
         raise ValueError(
             f"its options are {', '.join(sorted(letters))}; give each of them, and no other, its condition"
         )
-    options: dict[str, Relation | bool] = {}
+    options: dict[str, Ways] = {}
     for letter, condition in entry.options.items():
         try:
             holds = known.in_givens_alone(condition)
+            constant = holds in (sympy.true, sympy.false)
+            options[letter] = (((),) if holds else ()) if constant else ways(holds)
         except ValueError as error:
             raise ValueError(f"option {letter}: {error}") from None
-        try:
-            options[letter] = bool(holds) if holds in (sympy.true, sympy.false) else relation(holds)
-        except NoTree:
-            raise ValueError(
-                f"option {letter}: {holds} is no relation; write one, such as alpha < beta, or True or False"
-            ) from None
     return Choice(entry.statement, options, entry.mistakes)
 
 

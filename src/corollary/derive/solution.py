@@ -141,7 +141,10 @@ class SupposedValue:
     dimension: Dimension
 
 
-SolvedChoice = Choice[Relation | bool]
+Ways = tuple[tuple[Relation, ...], ...]
+"""A condition as the ways in which it can hold, of which no two hold for the same numbers: the relations of each. None: it never
+holds; one without relations: it always does."""
+SolvedChoice = Choice[Ways]
 SolvedForces = Forces[Expr, AppliedLaw]
 SolvedExample = Example[str, Expr, AppliedLaw]
 SolvedProof = Proof[AppliedLaw]

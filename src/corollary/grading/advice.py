@@ -9,9 +9,8 @@ from fractions import Fraction
 from itertools import islice
 
 from corollary.answers.registry import answer_type
-from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
-from corollary.derive.statements import Choice
-from corollary.formula.ast import Expr, Name, Relation, names
+from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, SolvedChoice, Unknown
+from corollary.formula.ast import Expr, Name, names
 from corollary.formula.ball import RationalPi, Undefined, certified
 from corollary.grading.key import Key
 from corollary.grading.replay import letters_of
@@ -206,10 +205,10 @@ def _check(key: Key, part: Part, asked: Unknown, matters: Sequence[Given]) -> st
     )
 
 
-def _of_choice(key: Key, choice: Choice[Relation | bool]) -> Iterator[str]:
+def _of_choice(key: Key, choice: SolvedChoice) -> Iterator[str]:
     yield _("For each option ask which law would have to be broken if it were true.")
-    conditions = [each for each in choice.options.values() if isinstance(each, Relation)]
-    letters = frozenset[str]().union(*(names(each.left) | names(each.right) for each in conditions))
+    conditions = [each for ways in choice.options.values() for way in ways for each in way]
+    letters = frozenset[str]().union(*map(names, conditions))
     used = [_described(key, each) for each in key.variant.problem.givens if each.symbol in letters]
     if used:
         yield _("What counts here: {quantities}.", quantities=_listed(used))

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from corollary.answers.evaluation import BITS, as_exact, finite_double, number
 from corollary.answers.expected import Values
 from corollary.answers.tolerance import within
-from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown
-from corollary.formula.ast import Relation, names
+from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown, Ways
+from corollary.formula.ast import names
 from corollary.formula.ball import Ball, RationalPi, Undefined, certified, evaluate, holds, precision_of
 from corollary.grading.counts import is_counted
 from corollary.grading.replay import compute, simulated
@@ -325,14 +325,12 @@ def scale_of(find: Unknown, values: Values, known: Mapping[str, RationalPi]) -> 
         return 0.0
 
 
-def option_that_holds(
-    options: Mapping[str, Relation | bool], givens: Mapping[str, RationalPi], part: str
-) -> str:
+def option_that_holds(options: Mapping[str, Ways], givens: Mapping[str, RationalPi], part: str) -> str:
     """The letter of the one option that holds. Raises Undefined when it is not exactly one."""
     true = [
         letter
-        for letter, held in options.items()
-        if (held if isinstance(held, bool) else holds(held, givens))
+        for letter, ways in options.items()
+        if any(all(holds(each, givens) for each in way) for way in ways)
     ]
     if len(true) != 1:
         raise Undefined(f"part {part}: {len(true)} options hold ({', '.join(true)}); exactly one must")

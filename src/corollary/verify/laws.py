@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 
 from corollary.derive.put_back import put_laws_back
 from corollary.derive.solution import Solution
@@ -87,9 +88,11 @@ def _conditions(solution: Solution) -> Iterator[tuple[str, int, Relation]]:
     for find in solution.unknowns:
         yield from (("where=", find.statement.line, one) for one in find.where or ())
     for choice in solution.choices.values():
-        for letter, condition in choice.options.items():
-            if isinstance(condition, Relation):
-                yield f"option {letter}", choice.statement.line, condition
+        for letter, ways in choice.options.items():
+            yield from (
+                (f"option {letter}", choice.statement.line, one)
+                for one in dict.fromkeys(chain.from_iterable(ways))
+            )
     for claim in solution.always:
         yield from (
             (f"always({claim.words!r})", claim.line, one) for clause in claim.conditions for one in clause

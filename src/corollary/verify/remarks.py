@@ -61,9 +61,8 @@ def _unused(solution: Solution) -> Iterator[tuple[int, str]]:
     for find in (*unknowns, *(each.bound for each in solution.neglected)):
         used |= _letters(find)
     for choice in solution.choices.values():
-        used |= {
-            name for held in choice.options.values() if not isinstance(held, bool) for name in names(held)
-        }
+        ways = [way for each in choice.options.values() for way in each]
+        used |= {name for way in ways for one in way for name in names(one)}
     for given in solution.problem.givens:
         if given.symbol not in used and not given.words:
             yield (

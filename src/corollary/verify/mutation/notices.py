@@ -10,7 +10,7 @@ from typing import Any
 from corollary.answers.tolerance import within
 from corollary.derive.again import differential
 from corollary.derive.applied import applied
-from corollary.derive.cases import clauses, relations
+from corollary.derive.cases import clauses, ways
 from corollary.derive.derivation import Always, Entry, Limit, Special
 from corollary.derive.forces import sum_along
 from corollary.derive.free_body import Forces
@@ -488,16 +488,15 @@ def _contradicted(wanted: Simulation) -> bool:
     return not all(meets(loose, found, name) for name in wanted.expect)
 
 
-Option = bool | tuple[str, Evaluation, Evaluation] | None
+Option = bool | list[list[tuple[str, Evaluation, Evaluation]]] | None
 
 
 def _option(held: object) -> Option:
-    """An option's condition ready to be held against letters; None where it is no relation of formulas."""
+    """An option's condition ready to be held against letters; None where it joins no relations of formulas."""
     if isinstance(held, bool):
         return held
     try:
-        (one,) = relations(held)
-        return compared(one)
+        return [[compared(each) for each in way] for way in ways(held)]
     except (ValueError, NotAvailable):
         return None
 
@@ -508,10 +507,15 @@ def _held(options: Mapping[str, Option], now: BentValues) -> list[str] | None:
     for letter, each in options.items():
         if each is None:
             return None
-        held = each if isinstance(each, bool) else None if now.unknown else fulfilled(each, now.letters)
-        if held is None:
+        if isinstance(each, bool):
+            held = [[each]]
+        elif now.unknown:
             return None
-        if held:
+        else:
+            held = [[fulfilled(one, now.letters) for one in way] for way in each]
+        if any(None in way for way in held):
+            return None
+        if any(map(all, held)):
             found.append(letter)
     return found
 

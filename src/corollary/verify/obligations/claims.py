@@ -142,12 +142,10 @@ def one_case(solution: Solution) -> Iterator[Obligation]:
         line = min(each.line for each in solution.regimes)
         yield _exactly_one([each.conditions for each in solution.regimes], "exactly one case holds", line)
     for part, choice in solution.choices.items():
-        held = [
-            each if isinstance(each, Relation) else TRUE if each else FALSE
-            for each in choice.options.values()
-        ]
+        # of one option no two ways hold together
+        held = [way or (TRUE,) for ways in choice.options.values() for way in ways or ((FALSE,),)]
         claim = f"exactly one option of part {part} holds"
-        yield _exactly_one([(each,) for each in held], claim, choice.statement.line)
+        yield _exactly_one(held, claim, choice.statement.line)
 
 
 def _exactly_one(cases: list[Clause], claim: str, line: int) -> Obligation:
