@@ -6,6 +6,7 @@ import ast
 import re
 import tomllib
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -18,8 +19,13 @@ SENTENCE = {"leaves", "or"}  # what follows the name of our program in a sentenc
 AS_A_COMMAND = r"(?:`|&& |\$ |[Rr]un |[Tt]ry: )"
 
 
-def texts() -> Iterator[tuple[str, str]]:
+@cache
+def texts() -> tuple[tuple[str, str], ...]:
     """Every page, every string of the package and of the tools, every template, each with where it stands."""
+    return tuple(_found())
+
+
+def _found() -> Iterator[tuple[str, str]]:
     for path in [
         TOP / "README.md",
         TOP / "Makefile",
