@@ -35,6 +35,7 @@ def test_files_that_are_named_are_there(page: Path) -> None:
                 "locale/",
                 "demo/",
                 "site/",
+                "submitted/",
                 "judging.py",
             }, name
 
