@@ -79,3 +79,32 @@ def test_intervals_decide_where_algebra_takes_too_long(tmp_path):
     path.write_text(published(exercise, "right"), encoding="utf-8")
     (outcome,) = examine(records_in(path)[0], by_algebra=False)
     assert outcome.finding == "agrees"
+
+
+STATED_OUTRIGHT = """
+- id: outright
+  given: {{x: -1 m, y: {y}}}
+  laws: ["b = {function}"]
+  where: {where}
+  asked: b
+  published: {published}
+"""
+
+
+@pytest.mark.parametrize(
+    ("y", "function", "where", "published", "finding", "words"),
+    [
+        ("-1 m", "atan2(y, x)", "[]", "225 deg", "ambiguous", "a whole turn further"),
+        ("-1 m", "atan2(y, x)", "[]", "-135 deg", "agrees", ""),
+        ("-1 m", "atan2(y, x)", "[]", "45 deg", "wrong", ""),
+        ("-1 m", "atan2(y, x)", "b < 180 deg", "225 deg", "wrong", ""),
+        ("1 m", "atan(y/x)", "90 deg < b < 180 deg", "135 deg", "impossible", "state tan(b) = … instead"),
+        ("1 m", "tan(y/x)", "b > 0", "135 deg", "impossible", ""),
+    ],
+)
+def test_an_angle_that_a_law_states_outright(audited, y, function, where, published, finding, words):
+    text = STATED_OUTRIGHT.format(y=y, function=function, where=where, published=published)
+    (outcome,) = audited(text)
+    assert outcome.finding == finding, outcome.why
+    assert words in outcome.why
+    assert ("instead" in outcome.why) == ("instead" in words)

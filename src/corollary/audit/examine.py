@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -22,6 +23,7 @@ from corollary.audit.put_back import broken_law
 from corollary.audit.record import AskedLetter, ExerciseRecord, ForgivenError
 from corollary.audit.reversed import reversible
 from corollary.derive.roots import NoRoot
+from corollary.formula.ast import Call, Name
 from corollary.formula.enclosure import Enclosure
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.rational_pi import RationalPi
@@ -242,6 +244,13 @@ def _under_conventions(
             if admitted and reversible(exercise, root, letter):
                 why = "only its sign differs, and no convention says which direction is positive"
                 return replace(found, finding="ambiguous", why=why, violates="", sides=None)
+        if _inverses(exercise, letter):
+            for turn in (-math.tau, math.tau):
+                values = {name: root.values[name] for name in exercise.unknowns}
+                values[letter] += turn
+                if number.fits(values[letter]) and not exercise.against(values, exercise.numbers):
+                    why = "it is a whole turn further, the same direction; `where` can say which is meant"
+                    return replace(found, finding="ambiguous", why=why, violates="", sides=None)
         bare_angle = number.unit.dimension == ONE and number.reading.unit is None and number.unit.bare
         if (
             bare_angle
@@ -297,6 +306,25 @@ def _elsewhere(exercise: PublishedExercise, number: PublishedNumber, letter: str
     return sorted(roots, key=lambda root: abs(root.values[letter] - published))[:MOST_OTHERS]
 
 
+INVERSES = {
+    "atan": ("tan", "-90 deg and 90 deg"),
+    "asin": ("sin", "-90 deg and 90 deg"),
+    "acos": ("cos", "0 and 180 deg"),
+    "atan2": ("tan", "-180 deg and 180 deg"),
+}
+"""Functions of which a law may state an angle outright: those of the angle itself, and where their values lie."""
+
+
+def _inverses(exercise: PublishedExercise, letter: str) -> list[str]:
+    """The functions that state a letter outright, as in `b = atan(y/x)`."""
+    found: list[str] = []
+    for each in exercise.equations:
+        for side, other in ((each.left, each.right), (each.right, each.left)):
+            if side == Name(letter) and isinstance(other, Call) and other.function in INVERSES:
+                found.append(other.function)
+    return found
+
+
 def _why_impossible(
     exercise: PublishedExercise, number: PublishedNumber, letter: str, roots: Sequence[AdmittedRoot]
 ) -> str:
@@ -307,7 +335,11 @@ def _why_impossible(
     seen = "; ".join(
         f"{letter} = {number.written(root.values[letter])} against {root.against}" for root in roots
     )
-    return f"no root is as the wording has it: {seen}"
+    said = f"no root is as the wording has it: {seen}"
+    for function in _inverses(exercise, letter)[:1]:
+        of, between = INVERSES[function]
+        said += f"; {function} lies between {between}, so state {of}({letter}) = … instead"
+    return said
 
 
 def _first(exercise: PublishedExercise, letter: str) -> str:
