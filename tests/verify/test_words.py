@@ -82,6 +82,8 @@ RIGHT = {  # sentence, question, unit
     "a bolt": ("Two M8 bolts of grade 8.8 hold the flange DN 50, see ISO 2768.", "Which load?", "N"),
     "zero": ("At $t = 0$ it is at rest, and $v = 0$; for $t > 10$ nothing is known.", "Which?", "N"),
     "a product": ("HEB 200 of steel S355, T 200, Apollo 10, $^{200}$Hg with mass number 200.", "Which?", "N"),
+    "its own unit, the nearest": ("It moves.", "How large is it, to the nearest newton?", "N"),
+    "a whole number": ("It goes to the nearest wall.", "Which force, to the nearest whole number?", "N"),
     "a price": ("It costs 50 € per ton; on 10 May 2020 at 10:50 it was 50:50.", "What is the force?", "N"),
     "an age": ("The 10-year-old twin (age 20) has 2 of 50 coins; in half of 50 cases.", "Which?", "N"),
     "figures": ("Use 2 significant figures and 10 decimals, π = 3.14.", "What is the force?", "N"),
@@ -155,6 +157,15 @@ def test_what_is_meant_has_a_number(tmp_path):
 @pytest.mark.parametrize(
     ("asked", "unit", "found"),
     [
+        ("What is the force, to the nearest kilonewton?", "N", "asks for kilonewton, and a bare number"),
+        (
+            "What is the force? Round to the nearest kN.",
+            "N",
+            "asks for kN, and a bare number of part a is in N",
+        ),
+        ("Wie groß ist die Kraft, auf das nächste kN?", "N", "asks for kN"),
+        ("Welche Kraft, auf ganze kN gerundet?", "N", "asks for kN"),
+        ("Hvor stor er kraften, til nærmeste kN?", "N", "asks for kN"),
         ("What is the force, in kN?", "N", "asks for kN, and a bare number of part a is in N"),
         ("What is the force (kN)?", "N", "asks for kN"),
         ("What is it? Answer: ____ kN", "N", "asks for kN"),
@@ -275,6 +286,8 @@ What is it?
         ('length from=0,0 to=L,0 "{{H}}"', "the length is drawn as L (length) and labelled with H (height)"),
         ('length from=0,0 to=L,0 "H"', "labelled with H"),
         ('length from=0,0 to=L,0 "{{L}}"', ""),
+        ('length from=0,0 to=L,0 "{{s}}"', "the length is drawn as L (length) and labelled with s (speed)"),
+        ('arrow a by=L,0 "{{s}}"', ""),  # to a scale of its own
         ('length from=0,0 to=0.7*L,0 "{{H}}"', ""),  # a sketch
         ('length from=L,0 to=L,H "{{L}}"', "drawn as H (height) and labelled with L"),
         ('length from=0,0 to=L,0 "L + {{H}} - {{L}}"', ""),

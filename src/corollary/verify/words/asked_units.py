@@ -24,6 +24,11 @@ IN_UNIT = re.compile(
 )
 BRACKETED = re.compile(r"[\[(](?=[A-Za-zµΩ°%])(?!(?:in|i|as) )")  # in a unit, not inches times a unit
 HOW_MANY = re.compile(r"\b(?:how many|wie viele|wieviele|hvor mange)(?= )", re.IGNORECASE)
+NEAREST = re.compile(
+    r"\bto (?:the nearest|(?:the )?(?:next )?(?:whole|full))(?= )|\bauf (?:(?:den|die|das) nächste[nrs]?|(?:volle|ganze)[nrs]?)(?= )"
+    r"|\btil (?:nærmeste|hele?)(?: hele?)?(?= )",
+    re.IGNORECASE,
+)
 BLANK_ANSWER = re.compile(r"(?:_{2,}|…|\.\.\.|=\s*\\?\?)\s*\$?(?= ?)")
 PERMITTED = re.compile(
     r"\b(?:you (?:may|can)|or|also|if you like|will do|du kannst|darfst|können sie|oder|auch|du kan|eller|også|such as)\b",
@@ -47,8 +52,8 @@ class AskedUnit:
 
 
 def asked_units(text: str) -> Iterator[AskedUnit]:
-    """The units in which a plain text asks for an answer: `in kN`, `(in °C)`, `how many minutes`, `[cm]`."""
-    for pattern in (IN_UNIT, BRACKETED, HOW_MANY, BLANK_ANSWER):
+    """The units in which a plain text asks for an answer: `in kN`, `(in °C)`, `how many minutes`, `to the nearest foot`, `[cm]`."""
+    for pattern in (IN_UNIT, BRACKETED, HOW_MANY, NEAREST, BLANK_ANSWER):
         for found in pattern.finditer(text):
             in_formula = text.count("$", 0, found.end()) % 2 == 1
             unit, end = unit_after(text, found.end(), in_formula)

@@ -66,7 +66,13 @@ def _of_length(line: FigureLine, given: Given, givens: Mapping[str, Given], numb
     """Of what is drawn as long as another given: a length, a string, an arrow, a radius, an angle."""
     for what, sizes in _sizes(line, numbers):
         other = _equal_to(sizes, givens, numbers, angle=what == "angle")
-        if other is None or other.symbol == given.symbol or other.unit.dimension != given.unit.dimension:
+        if other is None or other.symbol == given.symbol:
+            continue
+        measuring = what in (
+            "length",
+            "angle",
+        )  # an arrow or a ball may be drawn to the scale of something else
+        if other.unit.dimension != given.unit.dimension and not measuring:
             continue
         own = [abs(each[given.symbol]) for each in numbers]
         if _alike(own, sizes):
