@@ -335,11 +335,11 @@ def _why_impossible(
     seen = "; ".join(
         f"{letter} = {number.written(root.values[letter])} against {root.against}" for root in roots
     )
-    said = f"no root is as the wording has it: {seen}"
+    why = f"no root is as the wording has it: {seen}"
     for function in _inverses(exercise, letter)[:1]:
         of, between = INVERSES[function]
-        said += f"; {function} lies between {between}, so state {of}({letter}) = … instead"
-    return said
+        why += f"; {function} lies between {between}, so state {of}({letter}) = … instead"
+    return why
 
 
 def _first(exercise: PublishedExercise, letter: str) -> str:
