@@ -343,5 +343,6 @@ def _why_impossible(
 
 
 def _first(exercise: PublishedExercise, letter: str) -> str:
-    roots = [root for root in exercise.roots(exercise.numbers) if not root.against] if exercise.fixed else []
+    roots = exercise.roots(exercise.numbers) if exercise.fixed else []
+    roots = _keeping_all([root for root in roots if not root.against])
     return quantity(roots[0].values[letter], exercise.unit_of(letter), LEAST_FIGURES) if roots else ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 
 from corollary.answers.answer import Answer, Entries, Letter, Numbers, Unclear
@@ -23,6 +24,7 @@ from corollary.verify.checked import Tally
 FACTOR = 2.0  # an estimate in one's head is within it; most slips of the algebra are not
 SMALL = 0.1  # of the length of a vector: nobody foresees the sign of such a component
 FIGURES = 3
+RANGE = re.compile(r"\d[^\d,;()]{0,12}?\s*(?:\bto\b|\band\b|\bbis\b|\btil\b|(?<![eE])[-\N{EN DASH}])\s*\d")
 
 
 def check_expected(key: Key, tally: Tally) -> None:
@@ -66,6 +68,8 @@ def disagreements(key: Key, part: Part, expected: str) -> Iterator[str]:
     numbers = _numbers(answer)
     if isinstance(numbers, str) or truth is None:
         why = numbers if isinstance(numbers, str) else "it has no number"
+        if RANGE.search(expected) and part.answer_type != "interval":
+            why = "it is a range; write the value in its middle, for the key may be half of that or twice as much"
         yield f'expected="{expected}" cannot be compared: {why}'
         return
     units = part.units_for(len(truth.values))
