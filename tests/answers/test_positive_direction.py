@@ -87,6 +87,31 @@ def test_what_the_problem_does_not_say_is_asked(text, positive):
     assert {each.values for each in found.readings} == {(3,), (-3,)}
 
 
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("3 m/s in the direction of motion", 3),
+        ("3 m/s against the motion", -3),
+        ("3 m/s opposite to the direction of motion", -3),
+        ("3 m/s along the motion", 3),
+    ],
+)
+def test_words_on_the_motion_give_a_sign_where_it_is_the_positive_direction(text, value):
+    found = read(text, positive="the direction in which the car drives")
+    assert isinstance(found, Numbers)
+    assert found.values == (value,)
+    assert isinstance(read(text, positive="the direction away from the wall"), Unclear)
+
+
+@pytest.mark.parametrize(
+    "text", ["301 kg left", "301 kg are left", "301 kg is left over", "301 kg remaining"]
+)
+def test_a_mass_that_is_left_has_no_direction(text):
+    found = read(text, "kg")
+    assert isinstance(found, Numbers)
+    assert found.values == (301,)
+
+
 def test_a_speed_takes_no_sign_from_words():
     found = read("12 m/s downwards", title="Speed at the ground")
     assert isinstance(found, Numbers)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from corollary.answers.preamble import answer_in
+from corollary.answers.read_case import read_case
 from corollary.formula.numerals import TO_ASCII
 
 
@@ -59,3 +60,29 @@ def test_a_minus_in_words_or_of_a_calculator(written, answer):
 def test_quotation_marks_around_nothing_stay():
     assert answer_in('""')[0] == '""'
     assert answer_in('"8"')[:2] == ("8", 1)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The average force on the ball is 86 N.", "My answer is 86 N", "It's 86 N", "the mean force on the ball was 86 N", "force on the ball: 86 N",
+        "F [N] = 86", "F (N) = 86", "F in N: 86", "F/N = 86", "F/kN = 0.086", "F [mN] = 86000",
+    ],
+)  # fmt: skip
+def test_a_sentence_and_a_label_with_its_unit_lead_up_to_a_number(text):
+    found = read_case({"text": text, "unit": "N"})
+    assert (found["status"], found["verdict"]) == ("ok", "compatible")
+    assert found["value"] == pytest.approx(86)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "half the force is 86 N", "the force is not 86 N", "twice the force is 86 N", "a third of the force is 86 N", "no force is 86 N",
+        "the force backwards is 86 N", "force to the left = 86 N", "the opposite of the force is 86 N", "left = 86 N", "the force squared is 86 N",
+        "F/m = 86", "F/s = 86 N", "F [m] = 86", "F/2 = 86",
+    ],
+)  # fmt: skip
+def test_a_sentence_that_changes_the_number_and_another_label_do_not(text):
+    found = read_case({"text": text, "unit": "N"})
+    assert found["status"] != "ok" or found["verdict"] != "compatible"

@@ -22,6 +22,14 @@ REFERENCE_LINE = re.compile(
 )
 BELOW = re.compile(r"below\b|under\b|unter", re.IGNORECASE)
 UPRIGHT = re.compile("vert|upright|senk", re.IGNORECASE)
+ALONG_MOTION = re.compile(
+    r"(?:(?P<against>against|opposite to)|in|along)\s+(?:the\s+|its\s+)?(?:direction\s+of\s+)?(?:the\s+|its\s+)?(?:motion|travel|movement|driving)",
+    re.IGNORECASE,
+)
+IN_MOTION = re.compile(
+    r"\b(?:forwards?|motion|travel|moves?|moving|drives?|driving|leaves?|flies|rolls?|slides?|runs?)\b",
+    re.IGNORECASE,
+)
 NO_CONTENT: str = (
     "the a an in of to its his her your my is it which that direction take velocities velocity with and so this all towards toward "
     "away from against at into straight"
@@ -77,6 +85,8 @@ def sign_of_way(way: str, positive: str) -> int:
 def sign_of_words(words: str, positive: str) -> int | None:
     """The sign of `towards the wall` where the problem's positive direction is towards the wall, and of `away from the wall`; None
     where the problem's words do not tell it."""
+    if (way := ALONG_MOTION.fullmatch(words)) is not None and IN_MOTION.search(positive):
+        return -1 if way["against"] else 1
     mine, theirs = _content(words), _content(positive)
     if not mine or not mine <= theirs:
         return None

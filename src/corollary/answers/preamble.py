@@ -6,9 +6,9 @@ import re
 from typing import NamedTuple
 
 from corollary.answers import trace
-from corollary.answers.name import SYMBOL
+from corollary.answers.name import OF_CHANGE, SYMBOL
 from corollary.answers.number_words import NUMBERS
-from corollary.answers.remark import BECAUSE, DENIED
+from corollary.answers.remark import BECAUSE, DENIED, HARMLESS
 from corollary.answers.sign_words import SIGNS
 
 QUOTES = "\"'“”„‟«»‹›`*_"  # also those of Markdown
@@ -26,6 +26,20 @@ TALK = (
     "la le les est vaut sont impulsion vitesse énergie hauteur quantité mouvement moyenne"
 )
 WORDS = "|".join(map(re.escape, sorted(f"{ABOUT} {TALK}".split(), key=len, reverse=True)))
+# `The average force on the ball is 86 N`: harmless words up to a verb, none of which changes what follows.
+SAID_BY = "|".join(
+    sorted(
+        {word for word in HARMLESS | frozenset(f"{TALK} it's".split()) if word.isalpha() or word == "it's"}
+        - OF_CHANGE
+        - frozenset(SIGNS),
+        key=lambda word: (-len(word), word),
+    )
+)
+SENTENCE = re.compile(
+    rf"(?:(?:{SAID_BY})\s+){{1,12}}(?:(?:is|was|equals|ist|war|beträgt|er|var)\s+|(?:{SAID_BY}):\s*)(?=[-+]?[0-9.,√(])"
+    r"|it['’]s\s+(?=[-+]?[0-9.,√(])",
+    re.IGNORECASE,
+)
 LABEL = re.compile(r"[a-z][0-9]?\)\s+|\([a-z][0-9]?\)\s*(?=[-+≈=~]?\s*[0-9.,√])")
 NAME = rf"{SYMBOL}|\|{SYMBOL}\||<{SYMBOL}>"
 COUNTED = re.compile(
@@ -40,6 +54,7 @@ CONCLUSION = re.compile(
 )
 LEADING = (
     LABEL,
+    SENTENCE,
     CONCLUSION,
     re.compile(r"[ld]['’](?=[^\W\d_]{3})", re.IGNORECASE),
     COUNTED,

@@ -26,11 +26,12 @@ from corollary.answers.left_side import (
     unknown_letter,
 )
 from corollary.answers.motion_words import motion_in_number, motion_in_numbers
-from corollary.answers.name import another_body, is_name, is_talk
+from corollary.answers.name import SYMBOL, another_body, is_name, is_talk
 from corollary.answers.number_words import in_digits
 from corollary.answers.polar import length_and_angle
 from corollary.answers.preamble import answer_in
 from corollary.answers.question import Question
+from corollary.answers.sign_words import SIGNS
 from corollary.answers.spread import WIDEST, without_spread
 from corollary.answers.tolerance import same_value
 from corollary.answers.unit_meant import unit_meant
@@ -61,6 +62,10 @@ TWO_ANSWERS = re.compile(r"\d\D*\s(?:or|oder|eller|ou)\s\D*\d", re.IGNORECASE)
 NAME_BEHIND = re.compile(
     r"\s*(?P<value>[-+−–]?\s*[0-9.,][^=≈]*?)\s*=\s*(?P<name>[^=≈\s0-9][^=≈]{0,12}?)\s*"
 )  # `86 N = F`
+# As columns of tables and axes of figures are labelled: `F [N] = 86`, `F (N) = 86`, `F in N: 86`, `F/N = 86`.
+LABELLED = re.compile(
+    rf"\s*(?P<name>{SYMBOL})\s*(?:\[(?P<squared>[^\[\]=]+)\]|\s\((?P<round>[^()=]+)\)|\s+in\s+(?P<led>[^=:]+?)|/\s*\(?(?P<below>[^()=:]+?)\)?)\s*[=:]\s*(?P<number>[-+−]?\s*[0-9.,]+(?:\s?(?:[eE]|[·*x×]\s?10\^?)[-+−]?[0-9]+)?)\s*"
+)
 GLUED = re.compile(r"(?<=[A-Za-z²³°%])([+-])(?=[0-9.,]+\s*[A-Za-zµ°%])")
 PIECE = re.compile(r"([0-9]+(?:[.,][0-9]+)?)\s*(°|[A-Za-zµ]+)")
 SEVERAL = re.compile(
@@ -97,7 +102,7 @@ def read_quantity(text: str, expected: Unit | None, question: Question | None = 
     """
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
-    typed = _rewrite(text)
+    typed = _with_label_behind(_rewrite(text), expected, question)
     normalized, skipped, sides = answer_in(
         typed.translate(TO_ASCII)
     )  # split_remark, strip_preamble, solve_left_side
@@ -127,6 +132,22 @@ def _rewrite(text: str) -> str:
     if typed != text:
         trace.took("rewrite", text, typed)
     return typed
+
+
+def _with_label_behind(typed: str, expected: Unit | None, question: Question | None) -> str:
+    """`F [N] = 86` as `F = 86 N`, where the label is a unit of what is asked for."""
+    found = LABELLED.fullmatch(typed) if expected is not None else None
+    if found is None or not is_name(found["name"], question):
+        return typed
+    label = found["squared"] or found["round"] or found["led"] or found["below"]
+    unit = unit_meant(label.strip(), expected)
+    if isinstance(unit, ParseError) or expected is None or not unit.measures(expected):
+        return typed
+    if found["below"] and question is not None and label.strip() in question.symbol_names:
+        return typed  # `v/c` of two letters of the problem
+    behind = f"{found['name']} = {found['number'].strip()} {label.strip()}"
+    trace.took("rewrite", typed, behind)
+    return behind
 
 
 def _split_uncertainty(normalized: str) -> tuple[str, str]:
@@ -170,6 +191,9 @@ def _beside_sides(
     sides: Sequence[str], last: Reading, expected: Unit | None, question: Question | None
 ) -> tuple[Expr, ...] | ParseError:
     """The formulas of givens among the sides before the last; asks about two values that differ, and about what is no name."""
+    if way := next((side for side in sides if {word.lower() for word in side.split()} & SIGNS.keys()), ""):
+        why = _("{side} stands on the left, not the answer alone", side=way)
+        return ParseError("asked", why, None, _("write the number with its sign"))
     open_sides = [
         side for side in sides[-MOST_SIDES:] if not (is_name(side, question) or is_talk(side, question))
     ]

@@ -37,6 +37,13 @@ LABEL = re.compile(
     re.IGNORECASE,
 )
 LABEL_BEHIND = re.compile(r"\s*[\[(](?P<letter>[A-Za-z])[\])]\s*$")
+LED = re.compile(
+    r"(?:it|this|that|they)(?:['’]s| is| are)\s+|(?:across|through|at|in)\s+(?=the\b)", re.IGNORECASE
+)
+NOTHING_MORE: str = (
+    "as large long much many high heavy fast strong great big far well only before it was is what of"
+)
+ADD_NOTHING = frozenset(NOTHING_MORE.split())
 # Where an option's first clause ends, unless what follows takes some of it back: `more than twice, but less than four times`.
 CLAUSE = re.compile(
     r"(?:[:;]|[,.](?!\d)|(?<!\d)[,.])(?!\s*(?:but|yet|though|aber|jedoch|men)\b)", re.IGNORECASE
@@ -133,7 +140,28 @@ def _by_its_words(text: str, question: Question) -> str | None:
         for mark in CLAUSE.finditer(option)
     }
     begun = [each for each, start in starts if folded(text) == start]
-    return begun[0] if normal_form(text) and len(begun) == 1 else ""
+    if normal_form(text) and len(begun) == 1:
+        return begun[0]
+    return _shortened(text, options)
+
+
+def _shortened(text: str, options: Mapping[str, str]) -> str:
+    """The letter of the one option that is longer by words which add nothing: `four times` of `four times as large`."""
+    said = _words(LED.sub("", text.strip(), count=1))
+    if said[:1] == ["only"]:
+        said = [*_words(" ".join(said[1:])), "only"]
+    longer = [each for each, option in options.items() if said and _words(option)[: len(said)] == said]
+    if len(longer) != 1 or set(_words(options[longer[0]])[len(said) :]) - ADD_NOTHING:
+        return ""
+    return longer[0]
+
+
+def _words(text: str) -> list[str]:
+    """The words of a text without marks, capitals and an article in front; none of one with signs, whose meaning may be lost."""
+    if not re.fullmatch(r"[^\W_]+(?:[\s,.;:'’-]+[^\W_]+)*[.!]?", text.strip()):
+        return []
+    found = re.findall(r"[^\W_]+", text.lower())
+    return found[1:] if found[:1] in (["the"], ["a"], ["an"]) else found
 
 
 def _copied(text: str, options: Mapping[str, str]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import final
 
 from corollary.answers.answer import Answer, Blank, Letter, Unclear
@@ -13,6 +14,8 @@ from corollary.formula.value import Items, Nothing, Refused, Text, Value
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)
+
+LED = re.compile(r"\s*(?:it|this|that|they)(?:['’]s| is| are)\s+", re.IGNORECASE)
 
 
 @final
@@ -41,7 +44,7 @@ class WordType(AnswerType):
             case Text(text) if text.strip() in PLACEHOLDERS:
                 return Blank()
             case Text(text):
-                found, typed = words_met(text, words), text.strip()[:40]
+                found, typed = words_met(LED.sub("", text, count=1), words), text.strip()[:40]
                 letters = [Letter(letter, main_spelling(words[letter])) for letter in found.letters]
                 if found.exact and len(letters) == 1:
                     return letters[0]
