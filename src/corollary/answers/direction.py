@@ -69,6 +69,10 @@ TWO_WAYS = re.compile(  # `(positive, up)`
     rf"[\s,;(]+(?:to the |in the )?(?P<way>{WAYS})(?:[ -]direction)?\s*(?:[,;/]|\band\b|\bi\.?e\.?,?|=|\()\s*(?:so |that is,? )?(?:to the )?(?P<other>{WAYS})\s*\)*\.?\s*$",
     re.IGNORECASE,
 )
+# `301 kg left`: what is asked for has no direction.
+LEFT_OVER = re.compile(
+    r"(?<=[A-Za-z%])\s+(?:(?:is|are|was|were) )?(?:left(?: over)?|remaining)\.?\s*$", re.IGNORECASE
+)
 SIZE = re.compile(
     r"\b(?:speeds?|magnitude|size|how (?:fast|large|big|great|strong)|schnell\w*|betrag|tempo|fart|størrelse)\b",
     re.IGNORECASE,
@@ -119,6 +123,8 @@ def with_direction(
     if not isinstance(value, Text) or len(value.text) > LONGEST:
         return read(value)
     value = Text(without_reason(value.text))
+    if not directed(question) and (rest := LEFT_OVER.search(value.text)):
+        value = Text(value.text[: rest.start()])
     if reason_in(value.text):  # `12 N because left is negative`: what speaks of a sign there gives none
         answer = read(value)
         return _remarked(value.text, answer, question, read, component) if _is_unread(answer) else answer

@@ -27,7 +27,7 @@ TALK = (
 )
 WORDS = "|".join(map(re.escape, sorted(f"{ABOUT} {TALK}".split(), key=len, reverse=True)))
 # `The average force on the ball is 86 N`: harmless words up to a verb, none of which changes what follows.
-SAID_BY = "|".join(
+WITHOUT_CHANGE = "|".join(
     sorted(
         {word for word in HARMLESS | frozenset(f"{TALK} it's".split()) if word.isalpha() or word == "it's"}
         - OF_CHANGE
@@ -36,7 +36,7 @@ SAID_BY = "|".join(
     )
 )
 SENTENCE = re.compile(
-    rf"(?:(?:{SAID_BY})\s+){{1,12}}(?:(?:is|was|equals|ist|war|beträgt|er|var)\s+|(?:{SAID_BY}):\s*)(?=[-+]?[0-9.,√(])"
+    rf"(?:(?:{WITHOUT_CHANGE})\s+){{1,12}}(?:(?:is|was|equals|ist|war|beträgt|er|var)\s+|(?:{WITHOUT_CHANGE}):\s*)(?=[-+]?[0-9.,√(])"
     r"|it['’]s\s+(?=[-+]?[0-9.,√(])",
     re.IGNORECASE,
 )

@@ -13,8 +13,7 @@ LEADS = (
 )
 REMARK = re.compile(
     rf"(?<=[^\W_]|[²³)°%½])(?:\s*\((?P<bracketed>(?!or\b){WORDS}{{3,80}})\)|\s*[,;]\s*(?P<apart>(?!or\b)[A-Za-z]{WORDS}{{2,80}})"
-    rf"|\s+(?P<led>(?:{'|'.join(LEADS.split())})\b[^0-9=<>≤≥,;]{{2,80}}|total|altogether|insgesamt|totalt|high|hoch|høyt"
-    r"|(?:(?:is|are|was|were|sind|er) )?(?:left(?: over)?|remaining|remains?|übrig|igjen)))\.?\s*$",
+    rf"|\s+(?P<led>(?:{'|'.join(LEADS.split())})\b[^0-9=<>≤≥,;]{{2,80}}|total|altogether|insgesamt|totalt|high|hoch|høyt))\.?\s*$",
     re.IGNORECASE,
 )
 # Words that change neither the number nor its sign. Whatever else is said, a person reads.
@@ -26,7 +25,6 @@ NEUTRAL: str = (
     "bullet ball block car book wall body object person sphere rocket chain atom club racket track "
     "twice double much large same answer part result approximately approximation decimal rounded si unit units "
     "above over high hoch høyt higher than lowest point starting position table first second third bounce "
-    "left remaining remains remain übrig igjen sind "
     "straight change axis direction x x-axis x-direction horizontal counterclockwise counter-clockwise anticlockwise measured relative "
     "im mittel mittelwert durchschnitt betrag insgesamt mit ohne gewicht vor nach dem der die das beim stoß aufprall kurz gerundet "
     "kugel klotz "

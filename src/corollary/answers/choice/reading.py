@@ -41,7 +41,7 @@ LED = re.compile(
     r"(?:it|this|that|they)(?:['’]s| is| are)\s+|(?:across|through|at|in)\s+(?=the\b)", re.IGNORECASE
 )
 NOTHING_MORE: str = (
-    "as large long much many high heavy fast strong great big far well only before it was is what of"
+    "as large long much many high heavy fast strong great big far well before it was is what of"
 )
 ADD_NOTHING = frozenset(NOTHING_MORE.split())
 # Where an option's first clause ends, unless what follows takes some of it back: `more than twice, but less than four times`.
@@ -147,11 +147,11 @@ def _by_its_words(text: str, question: Question) -> str | None:
 
 def _shortened(text: str, options: Mapping[str, str]) -> str:
     """The letter of the one option that is longer by words which add nothing: `four times` of `four times as large`."""
-    said = _words(LED.sub("", text.strip(), count=1))
-    if said[:1] == ["only"]:
-        said = [*_words(" ".join(said[1:])), "only"]
-    longer = [each for each, option in options.items() if said and _words(option)[: len(said)] == said]
-    if len(longer) != 1 or set(_words(options[longer[0]])[len(said) :]) - ADD_NOTHING:
+    typed = _words(LED.sub("", text.strip(), count=1))
+    if typed[:1] == ["only"]:
+        typed = [*_words(" ".join(typed[1:])), "only"]
+    longer = [each for each, option in options.items() if typed and _words(option)[: len(typed)] == typed]
+    if len(longer) != 1 or set(_words(options[longer[0]])[len(typed) :]) - ADD_NOTHING:
         return ""
     return longer[0]
 
