@@ -76,7 +76,7 @@ def walks() -> Iterator[tuple[str, int]]:
     with tempfile.TemporaryDirectory() as folder, Runner() as runner:
         problem_set, course = handed_in(Path(folder), bank, solutions)
         walk = entered(lambda: grade_set(course, problem_set, solutions, lambda: runner, jobs=1))
-        yield "a notebook, from `submitted/` to the gradebook and the feedback page", walk
+        yield "a notebook, from the folder handed in to the gradebook and the feedback page", walk
 
 
 def handed_in(folder: Path, bank: Bank, solutions: Solutions) -> tuple[ProblemSet, Course]:
