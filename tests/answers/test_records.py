@@ -7,7 +7,7 @@ from dataclasses import FrozenInstanceError
 import pytest
 
 from corollary.answers.answer import Blank
-from corollary.answers.gain import Gain
+from corollary.answers.direction import Gain
 
 
 @pytest.mark.parametrize(("read", "name"), [(Gain("3 J", -1, "lost"), "sign"), (Blank("—"), "as_read")])

@@ -5,20 +5,180 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from corollary.answers.evaluation import BITS, as_exact, finite_double, number
 from corollary.answers.expected import Values
-from corollary.answers.tolerance import within
-from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown, Ways
-from corollary.formula.ast import names
+from corollary.answers.tolerance import ROUNDING_NOISE, within
+from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown, Ways, once
+from corollary.formula.ast import (
+    Call,
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    children,
+    names,
+)
 from corollary.formula.ball import Ball, RationalPi, Undefined, certified, evaluate, holds, precision_of
-from corollary.grading.counts import is_counted
+from corollary.formula.exact import exactly
+from corollary.formula.functions import FUNCTIONS
 from corollary.grading.replay import compute, simulated
-from corollary.grading.residue import residue_of
 from corollary.grading.rounding import LEAST, MOST, Noise, noise_of
 from corollary.grading.signs import signed
+from corollary.problem.given import Given
 from corollary.problem.part import Part
+from corollary.problem.problem import Problem
+from corollary.problem.sampling import sample
 from corollary.problem.variant import Variant
+from corollary.units.unit import Unit
+
+TRIED = 40  # draws for which a formula of counts must give a whole number: halves show in one of two
+
+
+def is_counted(solution: Solution, place: int, part: Part, known: Mapping[str, RationalPi]) -> bool:
+    """True if the part at a place asks for a `.count`, or its steps make whole numbers of whole numbers, for all draws and these.
+
+    `known` are the values of all letters. A ratio that comes out whole is none where its steps have other numbers in them; of several
+    components each has to be one.
+    """
+    if part.answer_type == "count":
+        return True
+    if part.unit.text != "1" or not _whole_by_its_steps(solution, place):
+        return False
+    used = frozenset[str]().union(*map(names, solution.unknowns[place].in_givens or ()))
+    return all(_is_whole(known[name]) for name in used if name in known)
+
+
+@once
+def _whole_by_its_steps(solution: Solution, place: int) -> bool:
+    problem, find = solution.problem, solution.unknowns[place]
+    trees = find.in_givens or ()
+    used = frozenset[str]().union(*map(names, trees))
+    if not all(names(tree) or _is_stated(name, find) for name, tree in zip(find.names, trees, strict=True)):
+        return False
+    counts = {given.symbol for given in problem.givens if _counts(given)}
+    for each in solution.unknowns[: place + 1]:
+        local = each.local.trees if isinstance(each.local, ClosedForms) else ()
+        if local and all(names(tree) <= counts for tree in local):
+            counts |= set(each.names)
+    if not trees or not used <= counts or not counts.issuperset(find.names):
+        return False
+    found = (exactly(tree, draw.exact) for draw in sample(problem, TRIED, salt="counts") for tree in trees)
+    return all(value is not None and _is_whole(value) for value in found)
+
+
+def _is_stated(name: str, find: Unknown) -> bool:
+    """True if a law says of a letter, whatever the numbers, how many there are: `N = 2*2`, and not what a ratio comes to."""
+    stated = (relation for law in find.laws for relation in law.here if relation.left == Name(name))
+    return any(_is_counting(relation.right) for relation in stated)
+
+
+def _is_counting(tree: Expr) -> bool:
+    match tree:
+        case Number(value):
+            return value.denominator == 1
+        case Sum() | Product() | Negative():
+            return all(map(_is_counting, children(tree)))
+        case _:
+            return False
+
+
+def _counts(given: Given) -> bool:
+    """True if a given is a plain whole number whatever is drawn."""
+    ends = (given.value, given.grid.first, given.grid.step, *given.grid.values)
+    return given.unit.text == "1" and not given.words and all(each.denominator == 1 for each in ends)
+
+
+def _is_whole(value: RationalPi) -> bool:
+    return not value.pi and value.ratio.denominator == 1
+
+
+BELOW_A_ROOT = Number(
+    Fraction(100)
+)  # times a residue: the root of 1e-16, in parts of ROUNDING_NOISE, and some more
+SMALLER = 1e-3  # of the smallest given of the dimension: a residue is far below whatever the problem is about
+
+
+def residue_of(
+    problem: Problem, find: Unknown, units: Sequence[Unit], known: Mapping[str, RationalPi]
+) -> Values:
+    """For each component (absolute, SI) what calculators and doubles may leave of it where its terms cancel.
+
+    A share of the terms, or of the largest given of the dimension where there are none; and always far below its smallest.
+    """
+    letters = dict(known)
+    for each in problem.givens:
+        if each.symbol in known and not known[each.symbol].ratio:
+            letters[each.symbol] = _usual_size(each)
+    trees = find.in_givens or (find.local.trees if isinstance(find.local, ClosedForms) else ())
+    found: list[float] = []
+    for place, unit in enumerate(units):
+        alike = [
+            abs(float(known[each.symbol]))
+            for each in problem.givens
+            if not each.words and each.unit.dimension == unit.dimension
+        ]
+        terms = _terms(trees[place], letters) if len(trees) == len(units) else 0.0
+        size = max(terms or max(alike, default=0.0), abs(float(unit.offset)))
+        smallest = min(filter(None, alike), default=math.inf)
+        found.append(min(ROUNDING_NOISE * size, SMALLER * smallest))
+    return tuple(found)
+
+
+def _terms(tree: Expr, known: Mapping[str, RationalPi]) -> float:
+    """What is added up before anything cancels; 0 where it has no value."""
+    sizes = {_size(name): RationalPi(abs(value.ratio), value.pi) for name, value in known.items()}
+    try:
+        return abs(number(_added(tree), {**known, **sizes}))
+    except Undefined:
+        return 0.0
+
+
+def _size(name: str) -> str:
+    return f"|{name}|"
+
+
+def _added(tree: Expr) -> Expr:
+    """The formula with every subtraction above the line made an addition, and 1 for what takes plain numbers: doubles make no
+    exact 0 of `cos(90°)`. Below a root a residue of 1e-16 is one of 1e-8."""
+    match tree:
+        case Name(name):
+            return tree if name == "pi" else Name(_size(name))
+        case Number(value):
+            return Number(abs(value))
+        case Negative(term):
+            return _added(term)
+        case Sum(terms):
+            return Sum(tuple(map(_added, terms)))
+        case Product(factors):
+            return Product(tuple(map(_added, factors)))
+        case Quotient(top, bottom):
+            return Quotient(_added(top), bottom)
+        case Power(base, Number(exponent)) if exponent > 0:
+            whole = Power(_added(base), Number(exponent))
+            return whole if exponent >= 1 else Product((BELOW_A_ROOT, whole))
+        case Call("abs", (argument,)):
+            return _added(argument)
+        case Call("sqrt", (argument,)):
+            return Product((BELOW_A_ROOT, Call("sqrt", (_added(argument),))))
+        case Call("acos" | "asin"):
+            return BELOW_A_ROOT
+        case Call(function) if function in FUNCTIONS and FUNCTIONS[function].dimension is None:
+            return Number(Fraction(1))
+        case _:
+            return tree
+
+
+def _usual_size(given: Given) -> RationalPi:
+    """The largest value that a given may have, in SI."""
+    ends = (RationalPi(*given.unit.to_si(value)) for value in (given.grid.first, given.grid.last))
+    return max(ends, key=lambda end: abs(end.ratio))
+
 
 MARGIN = 1.25  # beyond the largest of a few dozen random roundings there are rarer ones
 MAGNIFIED = 1024.0  # how much further than rounding does settings are moved to see what rounding does

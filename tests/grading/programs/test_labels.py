@@ -2,7 +2,7 @@
 
 import pytest
 
-from corollary.grading.programs.labels import read_label
+from corollary.grading.programs.panels import read_label
 from corollary.units.unit import unit
 
 

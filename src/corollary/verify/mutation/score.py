@@ -1,11 +1,12 @@
-"""The mutation score of a problem: each law bent in each way, and held against the checks that the problem has."""
+"""The mutation score of a problem: each law bent in each way, held against the checks that the problem has; the line that would catch most."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from itertools import islice
 
 from corollary.derive.again import SolvedAgain, differential
@@ -16,23 +17,258 @@ from corollary.derive.solution import Solution
 from corollary.derive.solve import solvers
 from corollary.derive.statements import Confirm, Step
 from corollary.formula.arithmetics import NotAvailable
-from corollary.formula.ast import Relation, names
+from corollary.formula.ast import (
+    Call,
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+    children,
+    names,
+    rebuilt,
+)
 from corollary.formula.ball import Undefined
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import NoTree
-from corollary.formula.operators import measured
+from corollary.formula.operators import OPERATORS, as_stated, measured
+from corollary.formula.text import text
 from corollary.grading.key import Key, make_key
 from corollary.laws.law import Law
+from corollary.problem.part import Part
 from corollary.problem.sampling import sample
 from corollary.scenes.run import Run
 from corollary.units.dimensional_analysis import Dimension, dimension_of
+from corollary.units.unit import show
+from corollary.verify.expected_answers import difference, in_order
 from corollary.verify.laws import dimensions_of
-from corollary.verify.mutation.bends import Bend, bends
-from corollary.verify.mutation.notices import Checks, MutationCase
-from corollary.verify.mutation.proposal import proposed
+from corollary.verify.mutation.notices import EXACT, Checks, MutationCase, off
+from corollary.verify.mutation.numeric_roots import FAILURES, Values
 from corollary.verify.mutation.record import MutationScore, Unnoticed
 from corollary.verify.mutation.resolved import Laws, Replacement, Resolver
-from corollary.verify.mutation.spots import FindInDoubles, founds, spot_of
+from corollary.verify.mutation.spots import (
+    BentEquations,
+    Contradicted,
+    FindInDoubles,
+    MutationSpot,
+    bent_values,
+    founds,
+    spot_at,
+    spot_of,
+)
+
+FACTORS: tuple[tuple[str, Expr], ...] = (
+    ("factor 2", Number(Fraction(2))),
+    ("factor 1/2", Quotient(Number(Fraction(1)), Number(Fraction(2)))),
+    ("factor 3", Number(Fraction(3))),
+    ("factor 4", Number(Fraction(4))),
+    ("factor pi", Name("pi")),
+    ("prefix 10^3", Number(Fraction(1000))),
+    ("prefix 10^-3", Quotient(Number(Fraction(1)), Number(Fraction(1000)))),
+)
+ONE, NOTHING = Number(Fraction(1)), Number(Fraction(0))
+OTHER = {"sin": "cos", "cos": "sin"}
+
+
+@dataclass(frozen=True, slots=True)
+class Bend:
+    """One law otherwise: the kind of slip, and the law with it."""
+
+    kind: str
+    law: Law
+
+    @property
+    def text(self) -> str:
+        return text(as_stated(self.law.textbook))
+
+
+def bends(law: Law) -> Iterator[Bend]:
+    """Every bend of a law, each once."""
+    whole = law.textbook
+    seen = {whole, Relation("=", whole.right, whole.left)}
+    for kind, bent in _of_sides(whole):
+        if bent not in seen:
+            seen.add(bent)
+            yield Bend(kind, replace(law, textbook=bent))
+
+
+def _of_sides(whole: Relation) -> Iterator[tuple[str, Relation]]:
+    """Of the right side, and of the left where it is more than one letter: a factor there is its inverse on the right."""
+    left, right = whole.left, whole.right
+    if right != NOTHING:
+        for kind, bent in _of(right, top=True):
+            yield kind, Relation("=", left, bent)
+        if isinstance(right, Sum) and left != NOTHING:
+            for kind, bent in _of_term(right):
+                yield kind, Relation("=", left, bent)
+    if not isinstance(left, Name):
+        single = not isinstance(left, Sum)
+        for kind, bent in _of(left, top=not single):
+            yield kind, Relation("=", bent, right)
+
+
+def _of(tree: Expr, *, top: bool) -> Iterator[tuple[str, Expr]]:
+    """A formula with one slip in it; signs and factors of the whole only at the `top`, of terms everywhere."""
+    if top and not isinstance(tree, Sum):
+        yield from _of_term(tree)
+    match tree:
+        case Sum(terms):
+            for place, term in enumerate(terms):
+                before, after = terms[:place], terms[place + 1 :]
+                for kind, bent in _of_term(term):
+                    yield kind, Sum((*before, bent, *after))
+                rest = (*before, *after)
+                yield "term dropped", rest[0] if len(rest) == 1 else Sum(rest)
+        case Power(base, Number(value)):
+            for step in (1, -1):
+                yield "exponent", _power(base, value + step)
+        case Call(function, arguments) if function in OTHER:
+            yield "sine for cosine", Call(OTHER[function], arguments)
+        case _:
+            pass
+    if isinstance(tree, Call) and tree.function in OPERATORS:
+        return  # what stands in a derivative is no factor
+    below = children(tree)
+    for place, part in enumerate(below):
+        if isinstance(tree, Power) and place == 1:
+            continue
+        bent_parts = _of(part, top=False)
+        if isinstance(part, Name) and isinstance(tree, Product | Quotient):
+            bent_parts = iter([("exponent", _power(part, Fraction(2))), ("exponent", ONE)])
+        for kind, bent in bent_parts:
+            yield kind, rebuilt(tree, (*below[:place], bent, *below[place + 1 :]))
+
+
+def _of_term(term: Expr) -> Iterator[tuple[str, Expr]]:
+    if term == NOTHING:
+        return
+    inner = term.term if isinstance(term, Negative) else term
+    yield "sign", inner if isinstance(term, Negative) else Negative(inner)
+    for kind, factor in FACTORS:
+        product = Product((factor, *(inner.factors if isinstance(inner, Product) else (inner,))))
+        yield kind, Negative(product) if isinstance(term, Negative) else product
+
+
+def _power(base: Expr, exponent: Fraction) -> Expr:
+    return ONE if exponent == 0 else base if exponent == 1 else Power(base, Number(exponent))
+
+
+CASES = 8  # special cases of one problem that are tried
+MOST = 24  # bends that proposals are tried on: the others are of the same laws
+FEW = 0.5  # of the unnoticed: a line that catches less is not worth more than a value from elsewhere
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A line, and the unnoticed bends that it would notice, by place."""
+
+    line: str
+    notices: frozenset[int]
+
+
+def proposed(checks: Sequence[Checks], unnoticed: Sequence[Laws]) -> tuple[str, int]:
+    """The line, and how many it would notice; "" where all are noticed or none is known."""
+    if not unnoticed:
+        return "", 0
+    candidates = [
+        each for one in checks for each in _candidates(one, unnoticed[:: 1 + len(unnoticed) // MOST])
+    ]
+    if not candidates:
+        return "", 0
+    best = max(candidates, key=lambda each: len(each.notices))
+    share = len(best.notices) / len(unnoticed[:: 1 + len(unnoticed) // MOST])
+    return (best.line, round(share * len(unnoticed))) if best.notices else ("", 0)
+
+
+def _candidates(checks: Checks, unnoticed: Sequence[Laws]) -> Iterator[Candidate]:
+    case, problem = checks.case, checks.case.solution.problem
+    steps = [checks.bent_steps(laws).equations for laws in unnoticed]
+    spot = case.spots[0]
+    if case.printed:
+        for part_id in checks.parts:
+            if part_id not in checks.expected:
+                line = f'expected="about …{_unit(problem.part(part_id))}" on part {part_id}'
+                yield Candidate(line, _with_estimate(checks, part_id, steps, spot))
+    letters = sorted({name for found in checks.parts.values() for name in found.find.names})
+    for case_text, there in islice(_special_cases(checks, spot), CASES):
+        noticed = _at(checks, letters, steps, there)
+        for letter in letters:
+            yield Candidate(f"at({case_text}, {letter}=…)", noticed[letter])
+    for part_id, found in checks.parts.items():
+        line = f'confirm(law("…", "…")): another law that {", ".join(found.find.names)} must obey'
+        yield Candidate(line, _changed(checks, part_id, steps, spot))
+
+
+def _unit(part: Part) -> str:
+    return f" {show(part.unit)}" if show(part.unit) else ""
+
+
+def _with_estimate(
+    checks: Checks, part_id: str, steps: Sequence[dict[int, BentEquations]], spot: MutationSpot
+) -> frozenset[int]:
+    """The bends that an estimate as good as the key would notice."""
+    part, found = checks.case.solution.problem.part(part_id), checks.parts[part_id]
+    true = tuple(spot.letters[name] for name in found.find.names)
+    zeros = tuple(float(unit.offset) for unit in part.units_for(len(true)))
+    return frozenset(
+        place
+        for place, bent in enumerate(steps)
+        if (values := _values(checks, bent, spot, found.find.names)) is not None
+        and difference(in_order(part, true), in_order(part, values), zeros)
+    )
+
+
+def _changed(
+    checks: Checks, part_id: str, steps: Sequence[dict[int, BentEquations]], spot: MutationSpot
+) -> frozenset[int]:
+    found = checks.parts[part_id]
+    return frozenset(
+        place
+        for place, bent in enumerate(steps)
+        if (values := _values(checks, bent, spot, found.find.names)) is not None
+        and any(off(values[at], spot.letters[name]) > EXACT for at, name in enumerate(found.find.names))
+    )
+
+
+def _values(
+    checks: Checks, bent: dict[int, BentEquations], spot: MutationSpot, letters: Sequence[str]
+) -> Values | None:
+    try:
+        return bent_values(checks.case.every, bent, spot).of(letters)
+    except (Contradicted, NotAvailable, *FAILURES):
+        return None
+
+
+def _special_cases(checks: Checks, spot: MutationSpot) -> Iterator[tuple[str, MutationSpot]]:
+    """A given that is nothing, or as large as another of its kind, where the answers have values then."""
+    problem = checks.case.solution.problem
+    givens = [given for given in problem.givens if not given.words and not given.source]
+    numbers = {given.symbol: spot.letters[given.symbol] for given in givens}
+    others = {name: value for name, value in spot.letters.items() if name not in numbers}
+    for given in givens:
+        alike = [each for each in givens if each.unit.dimension == given.unit.dimension and each is not given]
+        for word, value in [("0", 0.0), *((each.symbol, numbers[each.symbol]) for each in alike)]:
+            there = spot_at(others | numbers | {given.symbol: value}, checks.case.every)
+            if there is not None:
+                yield f"{given.symbol}={word}", there
+
+
+def _at(
+    checks: Checks, letters: Sequence[str], steps: Sequence[dict[int, BentEquations]], there: MutationSpot
+) -> dict[str, frozenset[int]]:
+    """For each letter the bends that change it there."""
+    found: dict[str, set[int]] = {letter: set() for letter in letters}
+    for place, bent in enumerate(steps):
+        values = _values(checks, bent, there, letters)
+        for letter, value in zip(letters, values or (), strict=False):
+            if off(value, there.letters[letter]) > EXACT:
+                found[letter].add(place)
+    return {letter: frozenset(places) for letter, places in found.items()}
+
 
 DRAWS = 5  # of those walked whose keys the bends are tried on, besides the printed numbers
 RARE = 200  # draws among which one is sought for a case that those walked do not have
