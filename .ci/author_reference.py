@@ -19,9 +19,9 @@ from corollary.formula.abbreviations import ROWS as ABBREVIATED
 from corollary.formula.functions import FUNCTIONS
 from corollary.problem.givens import RESERVED
 from corollary.units.constants import CONSTANTS
-from corollary.units.table import ROWS as UNIT_ROWS
-from corollary.units.table import UNITS
 from corollary.units.unit import Unit, show, si_unit
+from corollary.units.unit_table import ROWS as UNIT_ROWS
+from corollary.units.unit_table import UNITS
 
 EQUATION = re.compile(r"`([^`]*=[^`]*)`")
 OPENING = """\
@@ -93,7 +93,7 @@ def units() -> Iterator[str]:
     yield "## Units\n"
     yield (
         "With the prefixes that are usual; the others of the SI are read as well.\n"
-        "Products are written with a space, one slash goes with brackets: `J/(kg K)`.\nWhat may be typed besides (words, other languages) is in `units/table.py`.\n"
+        "Products are written with a space, one slash goes with brackets: `J/(kg K)`.\nWhat may be typed besides (words, other languages) is in `units/unit_table.py`.\n"
     )
     rows = ((symbols.split(), prefixes) for symbols, _base, _size, prefixes, _words in UNIT_ROWS)
     yield from table(

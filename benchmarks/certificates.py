@@ -17,7 +17,7 @@ from typing import Any
 from corollary.derive.solution import Solution
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
-from corollary.verify.certificate.check import LEMMA, checker, unproven
+from corollary.verify.certificate.kernel_check import LEMMA, checker, unproven
 from corollary.verify.certificate.script import CertifiedStep, certificate, script
 
 RESULT = Path(__file__).with_name("results") / "certificates.md"

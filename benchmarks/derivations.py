@@ -16,7 +16,7 @@ from typing import Any
 from corollary.answers.answer import Equation
 from corollary.answers.proof.argument import Standing
 from corollary.formula.ast import names
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 
 SWAPS = {
     "X12.13": "mu/R L/y v0/y m/mu g/v0",

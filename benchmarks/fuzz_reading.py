@@ -14,8 +14,8 @@ from collections import Counter
 from corollary.answers.quantity import read_quantities, read_quantity
 from corollary.formula.errors import ParseError
 from corollary.formula.numerals import TO_ASCII, scan_number
+from corollary.formula.plain_text import text
 from corollary.formula.syntax import parse
-from corollary.formula.text import text
 from corollary.units.unit import read_unit, unit
 
 LETTERS = [

@@ -35,7 +35,7 @@ from rich.table import Table
 from corollary.formula.value import Exact, Real, Value
 from corollary.parallel import cores
 from corollary.sandbox.job import Cell, Job
-from corollary.sandbox.notebook import Notebook, notebook_of
+from corollary.sandbox.notebook_file import Notebook, notebook_of
 from corollary.sandbox.runner import Runner
 
 BIN = Path(sys.executable).parent

@@ -31,10 +31,10 @@ from corollary.derive.load import NotDerivable
 from corollary.derive.solution import Solution
 from corollary.formula.ast import Expr, names
 from corollary.formula.errors import ParseError
+from corollary.formula.plain_text import text
 from corollary.formula.syntax import author_formula, parse
-from corollary.formula.text import text
 from corollary.formula.value import Real, Text, Value
-from corollary.grading.expected import expected_of
+from corollary.grading.expectations import expected_of
 from corollary.grading.judge import read, verdict_on
 from corollary.grading.key import Key
 from corollary.grading.solutions import Solutions

@@ -28,9 +28,9 @@ from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Unmarked, word
 from corollary.derive.load import NotDerivable
 from corollary.formula.ball import Undefined
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.formula.value import Items, Text, Value
-from corollary.grading.expected import expected_of
+from corollary.grading.expectations import expected_of
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.key import Key

@@ -32,10 +32,10 @@ from corollary.formula.value import (
     Text,
     Value,
 )
-from corollary.grading.grade import Marked
 from corollary.grading.integrity import elsewhere, notes
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
+from corollary.grading.part_grades import Marked
 from corollary.grading.points import grade
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import MarkedSubmission, Submission
@@ -44,14 +44,14 @@ from corollary.nbgrader.graded import graded
 from corollary.notebook.content import with_names
 from corollary.notebook.locate import code_to_run, plot_cells, written_text
 from corollary.notebook.notebook import notebook
-from corollary.notebook.origin import origin
+from corollary.notebook.sheet_origin import origin
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank, find, load
 from corollary.problem.problem_set import ProblemSet, Scheme, read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
 from corollary.sandbox.archive import members
-from corollary.sandbox.notebook import Notebook, notebook_of
+from corollary.sandbox.notebook_file import Notebook, notebook_of
 
 CODES = ("X12.5", "X12.6", "X12.7")
 ODD = (

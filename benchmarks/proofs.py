@@ -26,8 +26,8 @@ from corollary.answers.proof.argument import standings
 from corollary.answers.proof.judging import grounds_of
 from corollary.answers.verdict import Mistaken, Right, Unmarked, Verdict, Wrong, word
 from corollary.formula.ast import names
-from corollary.formula.text import text
-from corollary.grading.expected import expected_of
+from corollary.formula.plain_text import text
+from corollary.grading.expectations import expected_of
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge, read
 from corollary.grading.key import Key, make_key

@@ -10,7 +10,7 @@ from pathlib import Path
 from textwrap import dedent
 
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong
-from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.grading.part_grades import Grade, Marked, PartGrade
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet, read_set
 from corollary.problem.roster import Student

@@ -9,11 +9,11 @@ from dataclasses import replace
 from falls_and_swings import EXACT, fallen
 
 from corollary.formula.ball import Ball
-from corollary.scenes.collision import collide
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.film import NAIL, Film, film
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
+from corollary.scenes.line_collision import collide
 from corollary.scenes.models.certain import Balls, Evaluated, balls, found, sign
 from corollary.scenes.models.two_bodies import (
     BETA,

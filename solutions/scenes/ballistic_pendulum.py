@@ -11,12 +11,12 @@ import numpy as np
 from falls_and_swings import swung
 from scipy.integrate import DOP853
 
-from corollary.scenes.collision import SAFE
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.film import BLOCK, NAIL, Act, Film, film
 from corollary.scenes.forces.rod import Rod
 from corollary.scenes.forces.spring import catching
 from corollary.scenes.forces.weight import Weight
+from corollary.scenes.line_collision import SAFE
 from corollary.scenes.progress import part, tell
 from corollary.scenes.run import (
     ROUNDING,

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import collide
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one, row
 from corollary.scenes.film import AGAIN, Film, film
 from corollary.scenes.forces.contact import Contact
+from corollary.scenes.line_collision import collide
 from corollary.scenes.models.certain import found
 from corollary.scenes.models.two_bodies import collision
 from corollary.scenes.row import RowOfBodies

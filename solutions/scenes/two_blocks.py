@@ -6,9 +6,9 @@ import math
 from dataclasses import replace
 
 from corollary.formula.ball import Ball
-from corollary.scenes.collision import collide
 from corollary.scenes.definition import Setting, Settings, numbers
 from corollary.scenes.forces.contact import Contact
+from corollary.scenes.line_collision import collide
 from corollary.scenes.models.certain import Evaluated, by_formulas
 from corollary.scenes.models.two_bodies import FADES, Hit, after, fading, missed
 from corollary.scenes.row import RowOfBodies

@@ -7,11 +7,11 @@ import math
 from second_way import second_run
 
 from corollary.formula.ball import Ball
-from corollary.scenes.collision import collide
 from corollary.scenes.definition import Setting, Settings, numbers
 from corollary.scenes.film import Film, film
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.line_collision import collide
 from corollary.scenes.models.certain import Evaluated, by_formulas
 from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import Observed, Run

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from corollary.derive.load import NotDerivable
     from corollary.derive.solution import Solution
     from corollary.formula.ball import Undefined
-    from corollary.grading.grade import Grade, PartGrade
     from corollary.grading.key import Key
+    from corollary.grading.part_grades import Grade, PartGrade
     from corollary.problem.bank import Bank, UnknownCode
     from corollary.problem.problem import Problem
     from corollary.problem.variant import OutOfRange
@@ -51,7 +51,7 @@ _MODULES = {
     "corollary.derive.load": ("NotDerivable",),
     "corollary.derive.solution": ("Solution",),
     "corollary.formula.ball": ("Undefined",),
-    "corollary.grading.grade": ("Grade", "PartGrade"),
+    "corollary.grading.part_grades": ("Grade", "PartGrade"),
     "corollary.grading.key": ("Key",),
     "corollary.problem.bank": ("Bank", "UnknownCode"),
     "corollary.problem.problem": ("Problem",),

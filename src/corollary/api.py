@@ -18,8 +18,8 @@ from corollary.units.unit import show
 
 if TYPE_CHECKING:  # each function loads the rooms it needs: a key needs no scenes, a scene no solutions
     from corollary.derive.solution import Solution
-    from corollary.grading.grade import Grade
     from corollary.grading.key import Key
+    from corollary.grading.part_grades import Grade
     from corollary.scenes.run import Run
 
 GivenValue = str | float | Fraction

@@ -27,8 +27,8 @@ from corollary.formula.ast import (
     rebuilt,
     substitute,
 )
+from corollary.formula.plain_text import text
 from corollary.formula.syntax import author_formula
-from corollary.formula.text import text
 from corollary.laws.law import wrong
 
 if TYPE_CHECKING:

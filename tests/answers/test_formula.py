@@ -15,8 +15,8 @@ from corollary.answers.registry import answer_type
 from corollary.formula.arithmetics import DOUBLES, ready
 from corollary.formula.ast import Expr
 from corollary.formula.errors import ParseError
+from corollary.formula.plain_text import text
 from corollary.formula.syntax import parse
-from corollary.formula.text import text
 from corollary.formula.value import Text
 from corollary.problem.reader import read_problem
 from corollary.units.unit import unit

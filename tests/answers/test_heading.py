@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from corollary.answers.answer import Formulas, Numbers, Unclear
-from corollary.answers.options import option_named
+from corollary.answers.option_names import option_named
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.formula.value import Text
 from corollary.problem.part import Option
 from corollary.problem.reader import read_problem

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from corollary.answers.answer import Chain, Formulas, Unclear
-from corollary.answers.letters import in_letters
 from corollary.answers.proof.steps import steps_of
+from corollary.answers.renamed_letters import in_letters
+from corollary.formula.plain_text import text
 from corollary.formula.syntax import author_formula
-from corollary.formula.text import text
 
 
 def test_a_formula_is_put_into_the_letters_of_today():

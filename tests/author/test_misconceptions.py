@@ -6,7 +6,7 @@ import pytest
 import sympy
 
 from corollary.author import function, unknowns, variable
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.laws import law, wrong
 from corollary.laws.law import own_letters, sides
 from corollary.misconceptions import (

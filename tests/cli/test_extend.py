@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from corollary.cli.commands import app
-from corollary.cli.dates import warn_of_dates, warn_of_grading_early
+from corollary.cli.told_dates import warn_of_dates, warn_of_grading_early
 from corollary.records.deadlines import Extension, read_deadlines, write_extension
 from corollary.records.files import open_course
 from corollary.records.origin import set_of

@@ -13,7 +13,7 @@ from corollary.problem.bank import chapter_bank, codes, home
 from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import chapter
 from corollary.render.answer_table import answer_table
-from corollary.render.item import ChoiceAsked, LmsItem, NumbersAsked, item
+from corollary.render.lms_item import ChoiceAsked, LmsItem, NumbersAsked, item
 
 RECORDED = Path(__file__).parent / "recorded"
 

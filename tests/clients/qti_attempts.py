@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from corollary.render.exports import target
-from corollary.render.item import ChoiceAsked, LmsItem, NumbersAsked
+from corollary.render.lms_item import ChoiceAsked, LmsItem, NumbersAsked
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from xml.etree import ElementTree as Xml
 import pytest
 
 from corollary.render.exports import target
-from corollary.render.item import ChoiceAsked, LmsItem, NumbersAsked
+from corollary.render.lms_item import ChoiceAsked, LmsItem, NumbersAsked
 from corollary.render.targets.canvas import scale_of
 from corollary.render.targets.moodle import by_component
 

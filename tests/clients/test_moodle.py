@@ -19,7 +19,7 @@ from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.points import grade
 from corollary.render.exports import target
-from corollary.render.item import ChoiceAsked, NumbersAsked
+from corollary.render.lms_item import ChoiceAsked, NumbersAsked
 from corollary.render.targets.moodle import by_component, typed_units
 from corollary.units.unit import show
 

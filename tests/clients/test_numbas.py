@@ -20,7 +20,7 @@ from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import at
 from corollary.render.exports import target
-from corollary.render.item import ChoiceAsked, NotAsked, NumbersAsked, item
+from corollary.render.lms_item import ChoiceAsked, NotAsked, NumbersAsked, item
 
 NUMBAS = os.environ.get("COROLLARY_NUMBAS", "")
 DRIVER = Path(__file__).with_name("numbas.js").read_text(encoding="utf-8")

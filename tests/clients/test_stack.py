@@ -15,12 +15,12 @@ from pathlib import Path
 
 import pytest
 
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.points import grade
 from corollary.render.exports import target
-from corollary.render.item import LmsItem, NotAsked
+from corollary.render.lms_item import LmsItem, NotAsked
 
 STACK = os.environ.get("COROLLARY_STACK", "")
 DRIVER = Path(__file__).with_name("stack.php")

@@ -15,7 +15,7 @@ from corollary.notebook.worksheet import Exercise, worksheet
 from corollary.practice.posed import Posed
 from corollary.problem.problem_set import ProblemSet, Scheme
 from corollary.problem.roster import Student
-from corollary.render.item import item
+from corollary.render.lms_item import item
 from corollary.render.page import drawing
 from corollary.render.practice_page import exercise_piece
 from corollary.render.targets import html, md, moodle, qti, text

@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 import corollary
-from corollary.answers.options import option_named
+from corollary.answers.option_names import option_named
 from corollary.answers.verdict import Mistaken, Right
 from corollary.formula.ball import Undefined
 from corollary.formula.value import Items, Text, Value

@@ -12,7 +12,7 @@ from corollary.derive.ready_scenes import ready_scenes
 from corollary.problem.bank import Bank, chapter_bank, load
 from corollary.problem.problem import Problem
 from corollary.sandbox.runner import Runner
-from corollary.verify.programs import unstarted
+from corollary.verify.program_checks import unstarted
 from corollary.verify.verify import verify
 
 BANK: Bank = chapter_bank()

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from corollary.problem.pictures import pictures_of, unused
+from corollary.problem.packed_pictures import pictures_of, unused
 from corollary.problem.reader import read_problem
 
 FIELDS = Path(__file__).parents[2] / "examples/banks/corollary-fields/src/corollary_fields/problems"

@@ -9,7 +9,7 @@ import pytest
 from corollary.derive.load import NotDerivable
 from corollary.derive.solve import solve
 from corollary.derive.worked_solution import listed_forces
-from corollary.grading.free_body import as_people_say, free_body
+from corollary.grading.forces_on_body import as_people_say, free_body
 from corollary.problem.bank import Bank
 from corollary.problem.reader import read_problem
 from corollary.problem.variant import chapter

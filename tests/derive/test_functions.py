@@ -13,7 +13,7 @@ from corollary.derive.put_back import put_laws_back
 from corollary.derive.solve import solve, solved_derivation
 from corollary.derive.worked_solution import worked_solution
 from corollary.formula.ball import RationalPi, certified
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.grading.key import make_key
 from corollary.problem.variant import chapter
 from corollary.verify.verify import verify

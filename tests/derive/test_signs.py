@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.derive.signs import symbol_of
+from corollary.derive.given_signs import symbol_of
 from corollary.problem.reader import read_problem
 
 PROBLEM = """\

@@ -10,7 +10,7 @@ from tests.derive.conftest import ASKS, FRONT
 
 from corollary.derive.solution import ClosedForms
 from corollary.formula.ball import RationalPi, evaluate
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.grading.key import option_that_holds
 
 TWO_CARTS = '## Velocities {#a .vector unit="m/s" components="A B"}\nWhich?\n'

@@ -8,8 +8,8 @@ from xml.etree.ElementTree import Element, fromstring
 
 import pytest
 
-from corollary.figure.canvas import COLOURS
 from corollary.figure.drawing import WIDTH, FigurePanel, describe, draw, unmentioned
+from corollary.figure.drawing_sheet import COLOURS
 from corollary.figure.item import FigureItem, NotDrawable
 from corollary.figure.lettering import lettered, spoken
 from corollary.figure.primitive import PRIMITIVES

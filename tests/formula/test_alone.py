@@ -14,7 +14,7 @@ sys.path.append(sys.argv[1])
 from corollary.answers.quantity import read_quantity
 from corollary.formula.latex import latex
 from corollary.formula.syntax import parse
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import unit
 of = {"m": unit("kg").dimension, "g": unit("m/s^2").dimension, "h": unit("m").dimension}

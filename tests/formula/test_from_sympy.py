@@ -11,8 +11,8 @@ import sympy
 from corollary.derive.solve import solve
 from corollary.formula.ball import certified
 from corollary.formula.from_sympy import tree
+from corollary.formula.plain_text import text
 from corollary.formula.rational_pi import RationalPi
-from corollary.formula.text import text
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter

@@ -23,9 +23,9 @@ from corollary.formula.exact import exactly
 from corollary.formula.from_sympy import tree
 from corollary.formula.functions import FUNCTIONS, SPELLINGS, Function, register
 from corollary.formula.latex import latex
+from corollary.formula.plain_text import text
 from corollary.formula.symbols import letters
 from corollary.formula.syntax import author_formula, parse
-from corollary.formula.text import text
 from corollary.formula.to_sympy import expression
 from corollary.problem.interval_filter import INTERVALS, Interval
 from corollary.units.dimensional_analysis import dimension_of

@@ -6,8 +6,8 @@ import pytest
 
 from corollary.formula.latex import latex
 from corollary.formula.operators import read_operators, scalar_part
+from corollary.formula.plain_text import text
 from corollary.formula.syntax import author_formula
-from corollary.formula.text import text
 
 SIZES = {"r": 3, "F": 3, "u": 2}
 

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
 from corollary.formula.errors import ParseError
+from corollary.formula.plain_text import text
 from corollary.formula.syntax import author_formula, parse
-from corollary.formula.text import text
 
 LETTERS = [
     "m",

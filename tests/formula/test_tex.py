@@ -7,9 +7,9 @@ import pytest
 from corollary.answers.quantity import Reading, read_quantity
 from corollary.formula.ast import Expr
 from corollary.formula.latex import latex
+from corollary.formula.plain_text import text
 from corollary.formula.syntax import author_formula, parse
 from corollary.formula.tex import without_tex
-from corollary.formula.text import text
 
 
 @pytest.mark.parametrize(

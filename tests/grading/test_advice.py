@@ -10,7 +10,7 @@ from dataclasses import replace
 import pytest
 
 from corollary.answers.verdict import Mistaken, Slip, Wrong
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.grading.advice import advice
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from corollary.answers.verdict import Right
-from corollary.grading import expected as module
-from corollary.grading.expected import domain, expected_of
+from corollary.grading import expectations as module
+from corollary.grading.expectations import domain, expected_of
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from corollary.grading.from_json import from_json
-from corollary.grading.grade import Grade, Marked
 from corollary.grading.judge import judge
+from corollary.grading.part_grades import Grade, Marked
 from corollary.grading.points import grade
 from corollary.messages import language
 from corollary.problem.roster import Student

@@ -10,7 +10,7 @@ import sympy
 
 from corollary.derive.solution import ClosedForms
 from corollary.formula.ball import Undefined
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.grading.key import make_key
 from corollary.grading.replay import WhatIf, replay
 from corollary.problem.sampling import sample

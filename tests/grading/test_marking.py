@@ -15,8 +15,8 @@ from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Right, Unmarked, Unread, Verdict
 from corollary.course.demo.player import right_sources
 from corollary.formula.errors import ParseError
-from corollary.grading.grade import Marked
 from corollary.grading.marking import late_share, mark
+from corollary.grading.part_grades import Marked
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import filled_in, notebook
 from corollary.notebook.worksheet import Worksheet, worksheet
@@ -26,7 +26,7 @@ from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
 from corollary.sandbox.file import Unreadable
 from corollary.sandbox.isolation import UNKNOWN
-from corollary.sandbox.notebook import Notebook, notebook_of
+from corollary.sandbox.notebook_file import Notebook, notebook_of
 from corollary.sandbox.result import ExecutionResult
 from corollary.sandbox.runner import Runner
 from corollary.sandbox.tagged import value_of

@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 
 from corollary.formula.value import Exact, Items, Text, Value
 from corollary.grading.from_json import from_json
-from corollary.grading.grade import Grade, NearMiss
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
 from corollary.grading.near_misses import with_near_misses
+from corollary.grading.part_grades import Grade, NearMiss
 from corollary.grading.points import grade
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank, find

@@ -11,7 +11,7 @@ from tests.judges import judges
 from corollary.answers.verdict import Mistaken, Right, Unread, Wrong
 from corollary.formula.value import Items, Nothing, Real
 from corollary.grading.program_run import ProgramRun
-from corollary.grading.programs.judge import asks, judge_code
+from corollary.grading.programs.judge_programs import asks, judge_code
 from corollary.grading.solutions import Solutions
 from corollary.grading.verdict_text import sentence
 from corollary.messages import language

@@ -139,6 +139,22 @@ def test_files_are_short(modules):
     assert statistics.median(module.lines for module in modules) <= MEDIAN
 
 
+def test_no_file_name_stands_twice(modules):
+    """But for a command and the module that does its work, the two halves of each answer type, and the two ends of a worker's channel."""
+    homes: dict[str, set[str]] = {}
+    for module in modules:
+        if module.path.stem != "__init__":
+            room, _, rest = module.name.partition(".")
+            homes.setdefault(module.path.stem, set()).add(
+                "cli" if room == "cli" else module.name if rest else ""
+            )
+    twice = {name: places - {"cli"} for name, places in homes.items() if len(places - {"cli"}) > 1}
+    assert {name for name in twice if name not in {"reading", "judging"}} == {"protocol", "zygote"}
+    assert twice["zygote"] == {"sandbox.zygote", "sandbox.worker.zygote"}
+    assert twice["protocol"] == {"sandbox.protocol", "sandbox.worker.protocol"}
+    assert all(place.startswith("answers.") for name in ("reading", "judging") for place in twice[name])
+
+
 def test_every_module_opens_with_a_short_sentence_that_names_its_subject(modules):
     for module in modules:
         about = (ast.get_docstring(module.tree) or "").split("\n\n")[0]

@@ -13,8 +13,8 @@ import corollary.laws as laws
 from corollary.formula.ast import names
 from corollary.formula.errors import ParseError
 from corollary.formula.functions import FUNCTIONS
+from corollary.formula.plain_text import text
 from corollary.formula.syntax import author_formula
-from corollary.formula.text import text
 from corollary.laws import Law, law
 from corollary.laws.law import component, sides, symbols
 from corollary.units.dimensional_analysis import dimension_of

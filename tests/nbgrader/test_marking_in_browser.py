@@ -14,7 +14,7 @@ import pytest
 pytest.importorskip("nbgrader")
 
 from corollary.records.files import Course
-from corollary.records.manual import read_manual
+from corollary.records.manual_marks import read_manual
 
 from .conftest import STUDENTS, grade, hand_in, run
 

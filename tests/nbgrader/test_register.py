@@ -26,13 +26,13 @@ from nbgrader.api import Gradebook
 
 from corollary.answers.verdict import Follows, Mistaken, Right, Unmarked, Unread, Verdict
 from corollary.atomic import write_whole
-from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.grading.part_grades import Grade, Marked, PartGrade
 from corollary.grading.submission import MarkedSubmission, Submission
 from corollary.nbgrader.config import NotOurs
 from corollary.nbgrader.gradebook import GradebookLocked, NotRegistered, gradebook, programs_on_path
 from corollary.nbgrader.graded import graded
-from corollary.nbgrader.marks import synchronized, write_graded
 from corollary.nbgrader.register import register
+from corollary.nbgrader.written_marks import synchronized, write_graded
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import Bank

@@ -16,7 +16,7 @@ pytest.importorskip("nbgrader")
 
 from nbgrader.api import Gradebook
 
-from corollary.nbgrader.marks import is_as_seen, state
+from corollary.nbgrader.written_marks import is_as_seen, state
 from corollary.records.files import Course
 
 from .conftest import grade

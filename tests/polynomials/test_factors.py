@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from corollary.formula.syntax import author_formula
 from corollary.polynomials.polynomial import context, factored
-from corollary.polynomials.signs import Signs
+from corollary.polynomials.polynomial_signs import Signs
 from corollary.polynomials.translate import Translation, sign_by_factors
 
 LETTERS = context(("a", "b"))

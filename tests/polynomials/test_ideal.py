@@ -10,7 +10,7 @@ from corollary.formula.errors import Undefined
 from corollary.formula.syntax import author_formula
 from corollary.polynomials.ideal import Ideal
 from corollary.polynomials.polynomial import TooLarge
-from corollary.polynomials.signs import Signs
+from corollary.polynomials.polynomial_signs import Signs
 from corollary.polynomials.translate import Translation
 
 POSITIVE = (Fraction(0), None)

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from corollary.problem.table import read_cells
+from corollary.problem.csv_table import read_cells
 
 TEXT = st.text(st.sampled_from('ab,;"\n é='), max_size=6)
 

@@ -11,7 +11,7 @@ import pytest
 
 from corollary.problem.bank import Bank
 from corollary.problem.diagnostic import Malformed
-from corollary.problem.pictures import packed_file, pictures_of, unused
+from corollary.problem.packed_pictures import packed_file, pictures_of, unused
 from corollary.problem.problem_set import find_set
 from corollary.problem.reader import read_problem
 from corollary.problem.translation import digest, faults, in_language, translation

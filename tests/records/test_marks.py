@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from corollary.grading.grade import Marked
+from corollary.grading.part_grades import Marked
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.files import Course, create_course

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from corollary.answers.verdict import Right, Verdict, Wrong
-from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.grading.part_grades import Grade, Marked, PartGrade
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from rich.console import Console
 
 from corollary.answers.verdict import Right
-from corollary.grading.grade import Grade
+from corollary.grading.part_grades import Grade
 from corollary.records.marks import HandedIn, Row, handed_in, rows
 from corollary.records.report_model import report, report_record
 from corollary.render.report_table import terminal

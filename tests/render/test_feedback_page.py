@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from corollary.records.manual import ManualMark
+from corollary.records.manual_marks import ManualMark
 from corollary.records.marks import record_of, with_manual
 from corollary.render import feedback_page as page_of
 from corollary.render.feedback_facts import packed, page_facts, unpacked

@@ -15,7 +15,7 @@ from corollary.problem.bank import chapter_bank, home
 from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import at
 from corollary.render.exports import target
-from corollary.render.item import LmsItem, item
+from corollary.render.lms_item import LmsItem, item
 
 SOLUTIONS = Solutions(chapter_bank())
 USUAL = Scheme()

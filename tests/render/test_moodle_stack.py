@@ -12,7 +12,7 @@ from corollary.problem.bank import chapter_bank, home
 from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import at
 from corollary.render.exports import target
-from corollary.render.item import item
+from corollary.render.lms_item import item
 from corollary.render.targets.moodle_stack import NotInStack, stack_formula
 
 LETTERS = list("mvghxylaFe")

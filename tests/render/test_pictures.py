@@ -19,7 +19,7 @@ from corollary.problem.problem_set import Scheme
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
 from corollary.render.exports import target
-from corollary.render.item import item
+from corollary.render.lms_item import item
 from corollary.render.markdown import html
 from corollary.render.pictures import as_svg
 

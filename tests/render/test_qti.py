@@ -14,7 +14,7 @@ from corollary.problem.bank import chapter_bank, home
 from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import at
 from corollary.render.exports import target
-from corollary.render.item import item
+from corollary.render.lms_item import item
 from corollary.render.qti_item import float_text
 
 QTI = "{http://www.imsglobal.org/xsd/imsqti_v2p1}"

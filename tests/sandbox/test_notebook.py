@@ -13,7 +13,7 @@ from hypothesis import strategies as some
 
 from corollary.messages import language
 from corollary.sandbox.file import Unreadable, bytes_of
-from corollary.sandbox.notebook import Notebook, notebook_of
+from corollary.sandbox.notebook_file import Notebook, notebook_of
 
 
 def code(source: str = "a = 1", **more: object) -> dict:

@@ -2,9 +2,9 @@
 
 import pytest
 
-from corollary.scenes.collision import MOST_FOR_NORMAL_MODES, collide
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import regularised
+from corollary.scenes.line_collision import MOST_FOR_NORMAL_MODES, collide
 from corollary.scenes.row import RowOfBodies
 
 

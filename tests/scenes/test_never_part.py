@@ -5,7 +5,7 @@ import math
 import pytest
 
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.motion.energy import used_up
+from corollary.scenes.motion.conserved import used_up
 from corollary.scenes.plan import followed, plan, play
 from corollary.scenes.run import NEVER_PART, BadSetting
 from corollary.scenes.run import Observable as O

@@ -10,8 +10,8 @@ import pytest
 
 from corollary.answers.quantity import Reading, read_quantity
 from corollary.formula.errors import ParseError
-from corollary.units.table import PREFIXES, ROWS, TYPED, WITH_PREFIXES
 from corollary.units.unit import BASE, canonical, latex, read_unit, show, unit
+from corollary.units.unit_table import PREFIXES, ROWS, TYPED, WITH_PREFIXES
 
 PINT = pint.UnitRegistry()
 IN_PINT = {

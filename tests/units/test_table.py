@@ -10,8 +10,8 @@ import pytest
 from corollary.answers.quantity import Reading, read_quantity
 from corollary.formula.errors import ParseError
 from corollary.units import register
-from corollary.units.table import ENGLISH, ROWS, UNITS, WITH_PREFIXES, rows_of_others
 from corollary.units.unit import _READ, read_unit, show, unit
+from corollary.units.unit_table import ENGLISH, ROWS, UNITS, WITH_PREFIXES, rows_of_others
 
 
 @pytest.fixture

@@ -16,8 +16,8 @@ from corollary.cli.commands import app
 from corollary.formula.syntax import author_formula
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
-from corollary.verify.certificate.check import AXIOMS, accepted, axioms, unproven
 from corollary.verify.certificate.coq import coq_name
+from corollary.verify.certificate.kernel_check import AXIOMS, accepted, axioms, unproven
 from corollary.verify.certificate.script import OPENING, certificate, script
 
 BANK = chapter_bank()

@@ -15,8 +15,8 @@ from corollary.grading.key import make_key
 from corollary.grading.plain_key import serialized
 from corollary.problem.bank import Bank
 from corollary.problem.diagnostic import Malformed
+from corollary.problem.packed_pictures import packed_file
 from corollary.problem.parts_markdown import without_expected
-from corollary.problem.pictures import packed_file
 from corollary.problem.reader import read_problem
 from corollary.problem.variant import chapter
 from corollary.verify.expected_answers import unexpected

@@ -10,13 +10,13 @@ from dataclasses import asdict
 import pytest
 
 from corollary.derive.time_limit import TooLong
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.laws.law import law, own_letters
 from corollary.problem.bank import Bank
 from corollary.problem.reader import read_problem
 from corollary.verify.mutation.numeric_roots import NumericEquations
-from corollary.verify.mutation.record import MutationScore, from_data
 from corollary.verify.mutation.score import bends
+from corollary.verify.mutation.score_record import MutationScore, from_data
 from corollary.verify.verify import verify
 
 PROBLEM = """\

@@ -14,7 +14,7 @@ from corollary.problem.variant import chapter
 from corollary.sandbox.runner import Runner
 from corollary.sandbox.zygote import CannotStart
 from corollary.verify.checked import Tally
-from corollary.verify.programs import check_programs, unstarted
+from corollary.verify.program_checks import check_programs, unstarted
 
 PROBLEM = """\
 ---

@@ -13,9 +13,9 @@ from random import Random
 
 import numpy as np
 
-from corollary.scenes.collision import collide
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import regularised
+from corollary.scenes.line_collision import collide
 from corollary.scenes.plan import play
 from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import Observable

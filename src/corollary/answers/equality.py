@@ -16,7 +16,7 @@ from corollary.formula.ast import Call, Expr, Power, names, walk
 from corollary.formula.ball import Undefined, evaluate
 from corollary.formula.exact import constant
 from corollary.formula.functions import FUNCTIONS
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 
 POINTS, POINTS_WITH_BRANCHES, MOST_DRAWN = 5, 40, 400
 BITS_TO_AGREE = 320

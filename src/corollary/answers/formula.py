@@ -30,8 +30,8 @@ from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, refused, sentence
 from corollary.formula.line import Lean
 from corollary.formula.numerals import LONGEST, TO_ASCII
+from corollary.formula.plain_text import text as formula_text
 from corollary.formula.syntax import parse
-from corollary.formula.text import text as formula_text
 from corollary.messages import catalogue
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import Dimension, Unit, called, read_unit, show

@@ -17,7 +17,7 @@ from corollary.answers.answer import (
     Prose,
     Unclear,
 )
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.messages import catalogue, in_convention
 
 _ = catalogue(__name__)

@@ -19,9 +19,9 @@ from corollary.answers.question import Question
 from corollary.formula.ast import Expr, Relation
 from corollary.formula.ast import names as letters_of
 from corollary.formula.errors import ParseError, sentence
+from corollary.formula.plain_text import text as formula_text
 from corollary.formula.symbols import RUN
 from corollary.formula.syntax import author_formula
-from corollary.formula.text import text as formula_text
 from corollary.formula.value import Text, Value
 from corollary.units.unit import Dimension, Unit, canonical, kind, read_unit, show
 from corollary.units.unit import unit as author_unit

@@ -9,8 +9,8 @@ from fractions import Fraction
 from corollary.formula.errors import ParseError, ambiguous
 from corollary.messages import catalogue
 from corollary.units.run_together import WORD, in_capitals, other_cases
-from corollary.units.table import UNITS, UNSUGGESTED
 from corollary.units.unit import ONE, Dimension, Unit, called, read_unit, show
+from corollary.units.unit_table import UNITS, UNSUGGESTED
 
 _ = catalogue(__name__)
 

@@ -8,15 +8,15 @@ from fractions import Fraction
 
 from corollary.answers.quantity import read_quantity
 from corollary.answers.verdict import Mistaken, Right, Slip, Unread
+from corollary.audit.broken_laws import most_broken
 from corollary.audit.examine import PublishedNumber, cannot_say
 from corollary.audit.exercise import quantity
 from corollary.audit.outcome import AuditedAnswer
-from corollary.audit.put_back import most_broken
 from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven
 from corollary.derive.cache import solution_of
 from corollary.derive.load import NotDerivable
 from corollary.formula.errors import ParseError, Undefined, sentence
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.formula.value import Text
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key, named

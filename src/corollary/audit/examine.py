@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from corollary.answers.quantity import Reading, read_quantity
 from corollary.answers.tolerance import last_place
+from corollary.audit.broken_laws import broken_law
 from corollary.audit.contractor import NoContractor
 from corollary.audit.exercise import (
     AdmittedRoot,
@@ -19,7 +20,6 @@ from corollary.audit.exercise import (
 )
 from corollary.audit.formula_key import formula_in, function_outcome
 from corollary.audit.outcome import AuditedAnswer
-from corollary.audit.put_back import broken_law
 from corollary.audit.record import AskedLetter, ExerciseRecord, ForgivenError
 from corollary.audit.reversed import reversible
 from corollary.derive.roots import NoRoot

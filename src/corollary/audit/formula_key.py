@@ -16,9 +16,9 @@ from corollary.derive.system import SystemRoot, system_roots
 from corollary.formula.ast import Expr, Name, Number, Power, Product, Relation, names, substitute
 from corollary.formula.ball import certified
 from corollary.formula.errors import ParseError, Undefined
+from corollary.formula.plain_text import text
 from corollary.formula.rational_pi import RationalPi
 from corollary.formula.syntax import author_formula, parse
-from corollary.formula.text import text
 from corollary.polynomials.polynomial import TooLarge
 from corollary.polynomials.translate import Translation
 from corollary.units.dimensional_analysis import dimension_of

@@ -20,9 +20,9 @@ from corollary.derive.system import in_letters, stated
 from corollary.formula.ast import Expr, Name, Number, Power, Product, Quotient, Relation, names, walk
 from corollary.formula.ball import certified
 from corollary.formula.errors import Undefined
+from corollary.formula.plain_text import text
 from corollary.formula.rational_pi import RationalPi
 from corollary.formula.syntax import author_formula
-from corollary.formula.text import text
 from corollary.misconceptions import (
     diameter_for_radius,
     half_forgotten,

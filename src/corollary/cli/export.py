@@ -24,9 +24,9 @@ from corollary.course.export import (
     sheets_of_course,
     write_files,
 )
-from corollary.course.feedback import feedback_files
+from corollary.course.feedback_files import feedback_files
 from corollary.course.marks_export import Template, marks_file, marks_table
-from corollary.course.paper import form_owners, print_files
+from corollary.course.print_sheets import form_owners, print_files
 from corollary.grading.solutions import Solutions
 from corollary.messages import few
 from corollary.notebook.worksheet import SheetPlan

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from corollary.cli.dates import now
 from corollary.cli.ending import HOLDS, answer, refuse, say
-from corollary.nbgrader.marks import with_solutions
+from corollary.cli.told_dates import now
+from corollary.nbgrader.written_marks import with_solutions
 from corollary.problem.dates import HOW_TO_WRITE, moment, written
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.deadlines import (

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import asdict
 from pathlib import Path
 
-from corollary.cli.dates import names_settled, say_corrections, say_renewals, warn_of_dates
 from corollary.cli.ending import FAILS, HOLDS, agreed, answer, refuse, say
 from corollary.cli.terminal import bar, console
+from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, warn_of_dates
 from corollary.course.generate import Generated, generate
 from corollary.course.renew import Renewals, renewals
-from corollary.course.roster import RosterChange, roster_change, students_before
+from corollary.course.roster_changes import RosterChange, roster_change, students_before
 from corollary.extras import installing
 from corollary.grading.solutions import Solutions
 from corollary.messages import spoken

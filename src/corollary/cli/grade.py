@@ -9,10 +9,10 @@ from typing import Any
 
 import msgspec
 
-from corollary.cli.dates import reveal_now, warn_of_grading_early, warn_of_printed_dates
 from corollary.cli.ending import FAILS, HOLDS, agreed, answer, say
 from corollary.cli.terminal import console, countdown
-from corollary.course.cluster import on_cluster
+from corollary.cli.told_dates import reveal_now, warn_of_grading_early, warn_of_printed_dates
+from corollary.course.cluster_marking import on_cluster
 from corollary.course.grade import Outcome, grade_set
 from corollary.grading.solutions import Solutions
 from corollary.messages import visible

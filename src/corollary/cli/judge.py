@@ -8,10 +8,10 @@ from typing import Any
 from corollary.api import UnknownPart, judge, solve
 from corollary.cli.chosen_variant import chosen_problem
 from corollary.cli.ending import HOLDS, answer, unforeseen
-from corollary.cli.given import read_cases
+from corollary.cli.given_values import read_cases
 from corollary.derive.solution import Solution
 from corollary.formula.ball import Undefined
-from corollary.grading.record import grade_record
+from corollary.grading.mark_record import grade_record
 from corollary.problem.variant import OutOfRange
 
 

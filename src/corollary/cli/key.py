@@ -8,12 +8,12 @@ from typing import Any
 from corollary.api import solve, variant
 from corollary.cli.chosen_variant import chosen_problem, chosen_variant
 from corollary.cli.ending import HOLDS, answer, refuse, unforeseen
-from corollary.cli.given import from_options, read_cases
+from corollary.cli.given_values import from_options, read_cases
 from corollary.derive.solution import Solution
 from corollary.formula.ast import Name
 from corollary.grading.key_record import decimal, key_record
 from corollary.problem.variant import OutOfRange, Variant
-from corollary.verify.certificate.record import on_record
+from corollary.verify.certificate.on_record import on_record
 
 
 def run(

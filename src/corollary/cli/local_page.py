@@ -9,7 +9,7 @@ from pathlib import Path
 from corollary.cli.ending import say
 from corollary.course.one_page_server import OnePageServer
 from corollary.problem.bank import Bank
-from corollary.problem.pictures import pictures_of
+from corollary.problem.packed_pictures import pictures_of
 
 
 def edition(bank: Bank, path: Path) -> str:

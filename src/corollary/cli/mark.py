@@ -16,13 +16,13 @@ from corollary.course.one_page_server import OnePageServer
 from corollary.course.up_to_date import up_to_date
 from corollary.grading.near_misses import accepted_text
 from corollary.messages import visible
-from corollary.nbgrader.marking import NotMarkable, give_marks, part_named, to_mark
+from corollary.nbgrader.hand_marking import NotMarkable, give_marks, part_named, to_mark
+from corollary.problem.csv_table import read_table
 from corollary.problem.problem_set import ProblemSet
-from corollary.problem.table import read_table
 from corollary.records.files import Course, open_course, students
-from corollary.records.manual import ManualMark
+from corollary.records.manual_marks import ManualMark
 from corollary.records.marks import stored_record
-from corollary.records.near_misses import AnswerGroup, PartToMark, near_misses_record
+from corollary.records.near_miss_groups import AnswerGroup, PartToMark, near_misses_record
 from corollary.records.origin import set_of
 from corollary.render.marking_page import marking_page
 from corollary.render.wording import points, points_earned

@@ -20,7 +20,7 @@ from corollary.problem.bank import (
     find,
     open_bank,
 )
-from corollary.problem.pictures import pictures_of
+from corollary.problem.packed_pictures import pictures_of
 from corollary.problem.problem import Problem
 from corollary.problem.reader import CODE
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from corollary.answers.read_case import BadCase, read_case
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse
-from corollary.cli.given import read_cases
+from corollary.cli.given_values import read_cases
 
 
 def run(

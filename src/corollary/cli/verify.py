@@ -23,11 +23,11 @@ from corollary.problem.problem import Problem
 from corollary.problem.problem_set import bank_of_set, find_set, set_names
 from corollary.problem.reader import read_problem
 from corollary.verify.checked import Checked
-from corollary.verify.cluster import on_cluster
+from corollary.verify.cluster_verifying import on_cluster
 from corollary.verify.expected_answers import unexpected
-from corollary.verify.mutation.record import MutationScore
+from corollary.verify.mutation.score_record import MutationScore
 from corollary.verify.obligations.obligation import REDRAWN, Settled
-from corollary.verify.programs import unstarted
+from corollary.verify.program_checks import unstarted
 from corollary.verify.sets import CheckedSet, check_set
 from corollary.verify.side_by_side import verify_each
 from corollary.verify.unchanged import verify_changed

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from corollary.atomic import write_whole
 from corollary.course.renew import Renewal
-from corollary.course.roster import check_folders
+from corollary.course.roster_changes import check_folders
 from corollary.grading.solutions import Solutions
 from corollary.messages import speak, spoken
 from corollary.nbgrader.gradebook import NoNbgrader, need_nbgrader

@@ -24,15 +24,15 @@ from corollary.guard import guarded
 from corollary.nbgrader.from_record import from_record
 from corollary.nbgrader.gradebook import gradebook, has_nbgrader
 from corollary.nbgrader.graded import GradedSubmission, not_graded
-from corollary.nbgrader.marks import current_manual, stale_pages, synchronized
 from corollary.nbgrader.register import follow_points, register, source_notebook
+from corollary.nbgrader.written_marks import current_manual, stale_pages, synchronized
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.assignments import AssignedSheet, read_assigned
 from corollary.records.collusion import find_shared, write_shared
 from corollary.records.deadlines import Deadlines, Terms, read_deadlines
 from corollary.records.files import Course, students
-from corollary.records.manual import ManualMarks
+from corollary.records.manual_marks import ManualMarks
 from corollary.records.marks import (
     Record,
     page_facts_place,
@@ -319,7 +319,7 @@ def _written(
     }
     if not has_nbgrader() or dry_run:
         return there
-    from corollary.nbgrader.record import in_gradebook
+    from corollary.nbgrader.gradebook_record import in_gradebook
     from corollary.nbgrader.register import is_registered
 
     with gradebook(course) as book:

@@ -12,8 +12,8 @@ from pathlib import Path
 
 from corollary.course.owner import Found
 from corollary.messages import few, visible
+from corollary.problem.csv_table import read_table
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.problem.table import read_table
 from corollary.records.deadlines import Deadlines
 from corollary.records.lms_names import LmsName
 from corollary.records.submissions import GUESSED, WORKSHEET, writable

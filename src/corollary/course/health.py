@@ -14,7 +14,7 @@ from pathlib import Path
 
 from corollary import user_cache
 from corollary.extras import installing
-from corollary.nbgrader.health import nbgrader_findings
+from corollary.nbgrader.nbgrader_health import nbgrader_findings
 from corollary.parallel import cores
 from corollary.plug_ins import PlugInFault, load, plug_ins
 from corollary.problem.bank import UnknownCode, chapter_bank, files, open_bank

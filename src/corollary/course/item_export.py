@@ -17,7 +17,7 @@ from corollary.records.files import Course
 from corollary.records.origin import has_set, set_of
 from corollary.render.answer_table import answer_table
 from corollary.render.exports import CarriedPart, Target
-from corollary.render.item import LmsItem, item
+from corollary.render.lms_item import LmsItem, item
 
 
 @dataclass(frozen=True, slots=True)

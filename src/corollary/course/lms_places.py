@@ -7,8 +7,8 @@ import zipfile
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
+from corollary.problem.csv_table import read_table
 from corollary.problem.roster import HEADINGS, Student
-from corollary.problem.table import read_table
 from corollary.records.files import Course
 from corollary.records.lms_file import row_owners
 from corollary.records.lms_names import Directory, LmsName, canvas_file, lms_name, moodle_folder

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 
 from corollary.grading.integrity import elsewhere, notes
-from corollary.notebook.origin import origin
+from corollary.notebook.sheet_origin import origin
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
@@ -25,7 +25,7 @@ from corollary.records.submissions import (
 )
 from corollary.sandbox.archive import Member
 from corollary.sandbox.file import Unreadable
-from corollary.sandbox.notebook import notebook_of
+from corollary.sandbox.notebook_file import notebook_of
 
 LATER = "a later one was handed in"
 PACKED = (".tar", ".gz", ".tgz", ".bz2", ".xz", ".zst", ".7z", ".rar")

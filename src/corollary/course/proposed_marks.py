@@ -13,11 +13,11 @@ from corollary.grading.submission import Submission
 from corollary.guard import Failure, guarded
 from corollary.nbgrader.gradebook import concerns_everybody
 from corollary.nbgrader.graded import GradedSubmission
-from corollary.nbgrader.marks import write_graded
+from corollary.nbgrader.written_marks import write_graded
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.deadlines import Deadlines
 from corollary.records.files import Course
-from corollary.records.manual import OfStudent
+from corollary.records.manual_marks import OfStudent
 from corollary.records.marks import Record, read_record, with_manual
 from corollary.records.regrading import Change, change, is_extended, is_handed_in_anew, largest_first, why
 

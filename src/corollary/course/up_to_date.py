@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from corollary.atomic import write_whole
-from corollary.nbgrader.marks import current_manual, stale_pages, synchronized
+from corollary.nbgrader.written_marks import current_manual, stale_pages, synchronized
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import BeingGraded, Course, one_writer, students
-from corollary.records.manual import ManualMarks
+from corollary.records.manual_marks import ManualMarks
 from corollary.records.marks import check_graded, last_change, report_place, write_page
 from corollary.records.report_model import Report, report_of
 from corollary.records.settings import read_settings

@@ -9,7 +9,7 @@ from corollary.answers.verdict import Mistaken
 from corollary.course.drawn_numbers import DrawnKeys
 from corollary.derive.solution import Solution
 from corollary.formula.value import Text
-from corollary.grading.expected import expected_of
+from corollary.grading.expectations import expected_of
 from corollary.grading.judge import read, values_in
 from corollary.grading.key import Key
 from corollary.grading.points import share

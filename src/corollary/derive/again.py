@@ -12,7 +12,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from corollary.derive.assumptions import FoundFunction, Known
-from corollary.derive.functions import Pair, functions_in, is_differential, letters_in, put_back
+from corollary.derive.function_values import Pair, functions_in, is_differential, letters_in, put_back
 from corollary.derive.roots import roots
 from corollary.derive.solve import Solver
 from corollary.derive.statements import Finding, Optimum, Step

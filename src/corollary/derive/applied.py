@@ -10,7 +10,7 @@ from corollary.derive.statements import Mistake, Proof, Route, Supposed
 from corollary.formula.ast import Name, Relation, substitute
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import tree
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.laws.law import Law, by_name, equations, sides, symbols
 from corollary.units.unit import Dimension, unit
 

@@ -13,7 +13,7 @@ from typing import Any, cast
 import sympy
 from sympy.core.function import AppliedUndef
 
-from corollary.derive.signs import symbol_of
+from corollary.derive.given_signs import symbol_of
 from corollary.derive.solution import ClosedForms, SolvedFunction, SupposedValue
 from corollary.formula.ast import Expr, Number, Relation, names
 from corollary.formula.ast import substitute as put_in

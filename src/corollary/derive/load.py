@@ -21,7 +21,7 @@ from corollary.derive.beside import files_beside, importable
 from corollary.derive.cases import Branch
 from corollary.derive.comparison import NAMES, compiled
 from corollary.derive.derivation import Derivation
-from corollary.derive.signs import symbol_of
+from corollary.derive.given_signs import symbol_of
 from corollary.derive.statements import SOLUTION
 from corollary.derive.time_limit import TooLong, keyboard, no_way_out, time_limit
 from corollary.guard import Overtime, failure_of

@@ -12,7 +12,7 @@ import sympy
 
 from corollary.derive.assumptions import Known
 from corollary.derive.derivation import Asserted, Limit, Special
-from corollary.derive.functions import is_differential, letters_in, put_back
+from corollary.derive.function_values import is_differential, letters_in, put_back
 from corollary.derive.sampled import NO_NUMBERS, Equality, How, compared, holds, identical
 from corollary.derive.solve import Solver
 from corollary.derive.statements import Confirm, Neglected, Step

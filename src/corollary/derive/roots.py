@@ -12,7 +12,7 @@ from typing import Any
 import sympy
 
 from corollary.derive.assumptions import FoundFunction, Known, Point, Root, at, with_values
-from corollary.derive.functions import Pair, eliminated, functions_in
+from corollary.derive.function_values import Pair, eliminated, functions_in
 from corollary.derive.statements import Exchange, Mistake, Rejected, Sentence
 from corollary.formula.ast import Name, Relation
 from corollary.formula.from_sympy import NoTree, relation, tree

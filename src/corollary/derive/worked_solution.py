@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain, groupby
 
-from corollary.answers.options import option_named
+from corollary.answers.option_names import option_named
 from corollary.answers.spellings import main_spelling
 from corollary.answers.ways import in_words
 from corollary.derive.solution import (

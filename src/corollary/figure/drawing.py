@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from corollary.figure.canvas import Canvas, fixed
+from corollary.figure.drawing_sheet import Canvas, fixed
 from corollary.figure.item import FigureItem, NotDrawable, Point
 from corollary.figure.lettering import lettered, spoken
 from corollary.figure.primitive import LAID, PRIMITIVES

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, Literal
 
-from corollary.figure.canvas import COLOURS, Canvas
+from corollary.figure.drawing_sheet import COLOURS, Canvas
 from corollary.figure.item import FigureItem
 
 Takes = Literal["place", "places", "vector", "lengths", "angles", "number"]

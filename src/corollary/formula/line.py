@@ -8,7 +8,7 @@ from typing import Literal, NoReturn
 from corollary.formula.ast import Expr
 from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.formula.lexer import Token
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)

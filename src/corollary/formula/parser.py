@@ -11,7 +11,7 @@ from corollary.formula.errors import ParseError, ambiguous
 from corollary.formula.exact import constant
 from corollary.formula.lexer import LARGEST_EXPONENT, Token
 from corollary.formula.line import Lean, Line, Stop, ask, refuse, unexpected
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)

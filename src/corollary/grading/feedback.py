@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 
 from corollary.answers.expected import Values
-from corollary.answers.options import option_named
+from corollary.answers.option_names import option_named
 from corollary.formula.numerals import decimal_text
-from corollary.grading.free_body import as_people_say, free_body
+from corollary.grading.forces_on_body import as_people_say, free_body
 from corollary.grading.key import Key
 from corollary.messages import catalogue, in_convention
 from corollary.problem.part import Part

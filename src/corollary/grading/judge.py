@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING
 from corollary.answers.answer import Answer, Blank, Entries, Formulas, Numbers, Prose, Unclear
 from corollary.answers.expected import Expected, Values
 from corollary.answers.judge_formulas import values_of
-from corollary.answers.letters import in_letters
 from corollary.answers.questions import question_in
 from corollary.answers.registry import BUILT_IN, answer_type, judging
+from corollary.answers.renamed_letters import in_letters
 from corollary.answers.tolerance import last_place, same_value
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict
-from corollary.formula.text import text as formula_text
+from corollary.formula.plain_text import text as formula_text
 from corollary.formula.value import Nothing, Value
-from corollary.grading.expected import expected_of
+from corollary.grading.expectations import expected_of
 from corollary.grading.follow_through import AsWritten, same_as
 from corollary.grading.guesses import for_nothing, guessed, one_number, own_work, repeated
 from corollary.grading.key import Key
@@ -142,7 +142,7 @@ def _has_name(verdict: Verdict) -> bool:
 def _on_runs(
     key: Key, part: Part, run: ProgramRun, secret: bytes, student: str
 ) -> Mapping[str, Callable[[], Verdict]]:
-    from corollary.grading.programs.judge import verdicts_on_runs  # only here: it brings the sandbox
+    from corollary.grading.programs.judge_programs import verdicts_on_runs  # only here: it brings the sandbox
 
     return verdicts_on_runs(key.solution, key.variant, part, run, secret, student)
 

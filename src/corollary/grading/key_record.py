@@ -8,15 +8,15 @@ from dataclasses import replace
 from typing import Any, TypeVar
 
 from corollary.answers.evaluation import BITS
-from corollary.answers.options import option_named
+from corollary.answers.option_names import option_named
 from corollary.answers.registry import answer_type
 from corollary.derive.solution import Solution, Unknown
 from corollary.derive.statements import Code, Explain, Plot
 from corollary.formula.ast import Expr
 from corollary.formula.ball import Undefined, evaluate
 from corollary.formula.exact import exactly
-from corollary.formula.text import text
-from corollary.grading.free_body import as_answered, free_body
+from corollary.formula.plain_text import text
+from corollary.grading.forces_on_body import as_answered, free_body
 from corollary.grading.from_json import finite
 from corollary.grading.key import Answered, answer, option_that_holds
 from corollary.grading.replay import ancestors

@@ -8,13 +8,13 @@ from dataclasses import replace
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Unmarked, Unread
 from corollary.formula.value import Nothing, Text, Value
-from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
 from corollary.grading.near_misses import with_near_misses
+from corollary.grading.part_grades import Grade, Marked, PartGrade
 from corollary.grading.points import grade
 from corollary.grading.program_run import ProgramRun
-from corollary.grading.programs.judge import asks
+from corollary.grading.programs.judge_programs import asks
 from corollary.messages import catalogue
 from corollary.notebook.content import with_names
 from corollary.notebook.locate import (
@@ -31,7 +31,7 @@ from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.sandbox.file import Unreadable
 from corollary.sandbox.job import Cell, Job
-from corollary.sandbox.notebook import Notebook
+from corollary.sandbox.notebook_file import Notebook
 from corollary.sandbox.result import CellRun, ExecutionResult
 from corollary.sandbox.runner import Runner
 

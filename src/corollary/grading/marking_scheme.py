@@ -14,7 +14,7 @@ from corollary.derive.worked_solution import model_answer
 from corollary.formula.ast import Expr, names, substitute
 from corollary.grading.follow_through import same_as
 from corollary.grading.key import Key, Truth
-from corollary.grading.misconceptions import wrong_values
+from corollary.grading.misconception_values import wrong_values
 from corollary.grading.points import share
 from corollary.grading.replay import BY_THE_RULES
 from corollary.problem.part import Part

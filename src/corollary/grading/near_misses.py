@@ -11,8 +11,7 @@ from corollary.answers.expected import Expected, Values
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Follows, Right, Unmarked
 from corollary.formula.value import Nothing, Value
-from corollary.grading.expected import expected_of
-from corollary.grading.grade import Grade, NearMiss, PartGrade
+from corollary.grading.expectations import expected_of
 from corollary.grading.judge import read, values_in, verdict_on
 from corollary.grading.key import Key
 from corollary.grading.other_readings import (
@@ -24,6 +23,7 @@ from corollary.grading.other_readings import (
     other_readings,
     text_typed,
 )
+from corollary.grading.part_grades import Grade, NearMiss, PartGrade
 from corollary.guard import Failure, guarded
 from corollary.messages import catalogue, in_convention
 from corollary.problem.part import Part

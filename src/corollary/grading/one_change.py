@@ -21,7 +21,7 @@ from corollary.formula.ast import (
     rebuilt,
     substitute,
 )
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 
 TRIGONOMETRIC = ("sin", "cos", "tan")
 TWO, PI = Number(Fraction(2)), Name("pi")

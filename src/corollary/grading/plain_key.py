@@ -20,7 +20,7 @@ from corollary.derive.solution import (
 )
 from corollary.derive.statements import Mistake, Route, Statement
 from corollary.formula.ball import Undefined
-from corollary.grading.expected import expected_of
+from corollary.grading.expectations import expected_of
 from corollary.grading.key import Key, Truth
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem

@@ -10,8 +10,8 @@ from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
 from corollary.grading.advice import advice_for
 from corollary.grading.feedback import revealed
-from corollary.grading.grade import Grade, PartGrade
 from corollary.grading.key import Key
+from corollary.grading.part_grades import Grade, PartGrade
 from corollary.grading.verdict_text import sentence
 from corollary.problem.problem_set import Scheme
 

@@ -8,7 +8,7 @@ from corollary.answers.registry import answer_type
 from corollary.formula.value import Text, Value
 from corollary.grading.key import Key
 from corollary.grading.program_run import ProgramRun
-from corollary.grading.programs.judge import asks
+from corollary.grading.programs.judge_programs import asks
 from corollary.sandbox.job import Cell, Job
 from corollary.sandbox.runner import Runner
 

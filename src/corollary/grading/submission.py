@@ -9,15 +9,15 @@ from datetime import datetime
 from functools import partial
 from typing import TYPE_CHECKING
 
-from corollary.grading.grade import Grade, Marked
 from corollary.grading.integrity import elsewhere, notes
 from corollary.grading.judged_by import without_points, without_rubrics
 from corollary.grading.marking import mark, not_marked
+from corollary.grading.part_grades import Grade, Marked
 from corollary.grading.solutions import Solutions
 from corollary.guard import Failure, collecting, guarded
 from corollary.messages import catalogue, spoken
 from corollary.notebook.worksheet import Worksheet, worksheet
-from corollary.problem.pictures import packed_file
+from corollary.problem.packed_pictures import packed_file
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
@@ -25,7 +25,7 @@ from corollary.problem.translation import translation
 from corollary.problem.variant import Variant
 from corollary.sandbox.file import Unreadable
 from corollary.sandbox.isolation import WeakIsolation
-from corollary.sandbox.notebook import Notebook, notebook_of
+from corollary.sandbox.notebook_file import Notebook, notebook_of
 from corollary.sandbox.runner import Runner
 from corollary.sandbox.zygote import CannotStart
 from corollary.version import __version__

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
 from corollary.formula.ast import Expr, names, substitute
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.grading.advice import steps_to
 from corollary.grading.one_change import OneChange, changes
 from corollary.units.unit import PURE, Dimension

@@ -12,8 +12,8 @@ from nbgrader.apps import ExportApp
 from nbgrader.converters.base import BaseConverter, NbGraderException
 from nbgrader.coursedir import CourseDirectory
 
-from corollary.nbgrader.manual import synchronize
-from corollary.nbgrader.marks import stale_pages
+from corollary.nbgrader.manual_grades import synchronize
+from corollary.nbgrader.written_marks import stale_pages
 from corollary.problem.bank import UnknownCode
 from corollary.problem.diagnostic import Malformed
 from corollary.records.editions import NotSettled

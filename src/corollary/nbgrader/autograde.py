@@ -30,14 +30,14 @@ from corollary.messages import speak
 from corollary.nbgrader.alone import alone, course_of
 from corollary.nbgrader.graded import GradedSubmission, grade_submission
 from corollary.nbgrader.marked_notebook import restored
-from corollary.nbgrader.marks import write_graded
 from corollary.nbgrader.register import follow_points
+from corollary.nbgrader.written_marks import write_graded
 from corollary.notebook.worksheet import Worksheet
 from corollary.problem.bank import Bank
 from corollary.records.assignments import is_assigned, read_assigned
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, open_course, students
-from corollary.records.manual import read_manual
+from corollary.records.manual_marks import read_manual
 from corollary.records.origin import set_of
 from corollary.records.regrading import dependencies
 from corollary.records.settings import read_settings
@@ -51,7 +51,7 @@ from corollary.records.submissions import (
     submissions,
 )
 from corollary.sandbox.file import Unreadable, bytes_of
-from corollary.sandbox.notebook import Notebook
+from corollary.sandbox.notebook_file import Notebook
 from corollary.sandbox.runner import Runner
 
 

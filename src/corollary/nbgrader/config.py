@@ -17,8 +17,8 @@ from nbgrader.preprocessors import (
 )
 
 from corollary.nbgrader.autograde import JudgedOutside, LatenessInMarks, OwnNumbers, OwnSheet, RecordMarks
-from corollary.nbgrader.export import CurrentMarks
-from corollary.nbgrader.feedback import FeedbackPage
+from corollary.nbgrader.export_command import CurrentMarks
+from corollary.nbgrader.feedback_command import FeedbackPage
 
 c = get_config()  # noqa: F821
 c.CourseDirectory.course_id = __NAME__

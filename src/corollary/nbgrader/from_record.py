@@ -12,11 +12,11 @@ import nbformat
 from nbformat import NotebookNode
 
 from corollary.answers.verdict import Right, Unmarked
-from corollary.grading.expected import rubric_of
+from corollary.grading.expectations import rubric_of
 from corollary.grading.feedback import revealed
-from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.grading.key import Key
 from corollary.grading.marking import late_share
+from corollary.grading.part_grades import Grade, Marked, PartGrade
 from corollary.grading.points import with_points
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import LATE_SHARE, Submission
@@ -28,7 +28,7 @@ from corollary.nbgrader.marked_notebook import (
     with_rubrics,
     with_verdicts,
 )
-from corollary.nbgrader.marks import stored_facts
+from corollary.nbgrader.written_marks import stored_facts
 from corollary.notebook.notebook import notebook
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.dates import written

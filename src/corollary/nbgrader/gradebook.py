@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from corollary.extras import installing
 from corollary.nbgrader.config import broken
 from corollary.records.files import Course
-from corollary.records.manual import read_manual
+from corollary.records.manual_marks import read_manual
 
 if TYPE_CHECKING:
     from nbgrader.api import Gradebook

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
-from corollary.grading.grade import Marked
+from corollary.grading.part_grades import Marked
 from corollary.grading.submission import (
     LONGEST,
     GradingContext,
@@ -22,7 +22,7 @@ from corollary.guard import Failure, guarded
 from corollary.messages import language
 from corollary.nbgrader.marked_notebook import answer_digest, marked_notebook, notebook_text, part_grades
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.manual import OfStudent
+from corollary.records.manual_marks import OfStudent
 from corollary.records.marks import Record, record_of, with_manual
 from corollary.render.feedback_facts import packed, page_facts, unpacked
 from corollary.render.feedback_page import feedback_page

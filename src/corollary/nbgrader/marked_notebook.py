@@ -12,7 +12,7 @@ from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell
 
 from corollary.answers.verdict import Unmarked, Unread
-from corollary.grading.grade import Marked, PartGrade
+from corollary.grading.part_grades import Marked, PartGrade
 from corollary.messages import catalogue, in_convention
 from corollary.nbgrader.safe import safe_attachments, safe_markdown, safe_outputs
 from corollary.notebook.cells import checksum

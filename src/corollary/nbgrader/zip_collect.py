@@ -16,13 +16,13 @@ from nbgrader.plugins.zipcollect import ExtractorPlugin, FileNameCollectorPlugin
 
 from corollary.atomic import write_whole
 from corollary.guard import Failure, guarded
-from corollary.notebook.origin import origin
+from corollary.notebook.sheet_origin import origin
 from corollary.records.files import open_course, students
 from corollary.records.lms_names import Directory, again, file_words, lms_name
 from corollary.records.submissions import writable
 from corollary.sandbox.archive import Member, members
 from corollary.sandbox.file import bytes_of
-from corollary.sandbox.notebook import Notebook, notebook_of
+from corollary.sandbox.notebook_file import Notebook, notebook_of
 
 LONGEST = 30.0  # seconds of the processor for one file
 LONGEST_NAME = 200  # bytes; nbgrader and the number of a second one add some

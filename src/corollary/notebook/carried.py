@@ -36,7 +36,7 @@ def checker(carried: Mapping[str, Any], space: Mapping[str, Any]) -> object:
     """`check` for the answers in `space`, made of the code that is carried, or of the same code where it is installed."""
     names = [
         "corollary.notebook.check",
-        "corollary.units.table",
+        "corollary.units.unit_table",
         "corollary.messages",
         *(f"{folder}.reading" for folder in carried["folders"].values()),
     ]

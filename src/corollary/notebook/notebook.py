@@ -26,7 +26,7 @@ from corollary.notebook.locate import cell_id
 from corollary.notebook.packing import catalogues, modules
 from corollary.notebook.worksheet import Exercise, Prompt, Worksheet
 from corollary.problem.dates import in_words
-from corollary.units.table import rows_of_others
+from corollary.units.unit_table import rows_of_others
 from corollary.version import __version__
 
 _ = catalogue(__name__)

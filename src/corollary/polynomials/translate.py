@@ -27,8 +27,8 @@ from corollary.formula.ast import (
 )
 from corollary.formula.exact import constant
 from corollary.polynomials.polynomial import Polynomial, TooLarge, context, factored
+from corollary.polynomials.polynomial_signs import Bounds, Signs
 from corollary.polynomials.rational_function import RationalFunction
-from corollary.polynomials.signs import Bounds, Signs
 
 MOST_MULTIPLES = 8
 POSITIVE: Bounds = (Fraction(0), None)

@@ -10,9 +10,9 @@ from corollary.answers.preview import Preview
 from corollary.answers.questions import question_in
 from corollary.answers.registry import answer_type
 from corollary.grading.from_json import from_json
-from corollary.grading.grade import PartGrade
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
+from corollary.grading.part_grades import PartGrade
 from corollary.grading.points import grade
 from corollary.grading.run_programs import run_programs
 from corollary.grading.solutions import worked_steps_of

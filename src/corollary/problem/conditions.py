@@ -22,9 +22,9 @@ from corollary.formula.ast import (
 )
 from corollary.formula.errors import ParseError
 from corollary.formula.exact import constant
+from corollary.formula.plain_text import text as written
 from corollary.formula.rational_pi import RationalPi
 from corollary.formula.syntax import author_formula
-from corollary.formula.text import text as written
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import ONE, Dimension, Unit, read_unit, show, si_unit, unit
 

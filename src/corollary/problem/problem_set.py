@@ -13,7 +13,7 @@ from corollary.problem.bank import Bank, UnknownCode, bank_around, open_bank
 from corollary.problem.dates import HOW_TO_WRITE, REVEAL, Reveal, Usual, moment
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, TableNode, split
-from corollary.problem.pictures import packed
+from corollary.problem.packed_pictures import packed
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import digest
 from corollary.problem.set_problems import Pool, read_problems

@@ -14,8 +14,8 @@ from corollary.problem.figure import is_svg, read_lines
 from corollary.problem.front_matter import ListNode, Reader, TableNode, TextNode, split
 from corollary.problem.given import Given, Grid, decimal_places
 from corollary.problem.givens import read_given
+from corollary.problem.packed_pictures import count, packed
 from corollary.problem.parts_markdown import read_parts
-from corollary.problem.pictures import count, packed
 from corollary.problem.problem import Condition, Description, Problem
 from corollary.problem.statement import HOLE, LETTER, holes, misfit
 from corollary.units.constants import CONSTANTS

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from corollary.messages import few
+from corollary.problem.csv_table import Table, read_table
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.problem.table import Table, read_table
 
 USERNAMES = (
     "username", "user name", "user", "login", "login id", "netid", "uid", "benutzername", "anmeldename", "kennung", "brukernavn",

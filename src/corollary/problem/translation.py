@@ -16,9 +16,9 @@ from pathlib import Path
 from corollary.messages import spoken
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, split
+from corollary.problem.packed_pictures import count, packed
 from corollary.problem.part import Part
 from corollary.problem.parts_markdown import entries, read_parts
-from corollary.problem.pictures import count, packed
 from corollary.problem.problem import Problem
 from corollary.problem.statement import holes
 

@@ -16,7 +16,7 @@ from corollary.atomic import write_whole
 from corollary.problem.dates import written, zone_named
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.given import decimal_places
-from corollary.problem.pictures import packed_file
+from corollary.problem.packed_pictures import packed_file
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.reader import read_problem

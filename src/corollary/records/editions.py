@@ -15,8 +15,8 @@ from corollary.derive.load import NotDerivable, source
 from corollary.problem.bank import UnknownCode, bank_of
 from corollary.problem.figure import in_letters, is_svg
 from corollary.problem.given import Given
+from corollary.problem.packed_pictures import packed_file
 from corollary.problem.part import Option, Part
-from corollary.problem.pictures import packed_file
 from corollary.problem.problem import Problem
 from corollary.problem.statement import renamed
 from corollary.units.unit import PURE, Unit, canonical, unit

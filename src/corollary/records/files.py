@@ -15,9 +15,9 @@ from pathlib import Path
 
 from corollary.atomic import write_whole
 from corollary.messages import did_you_mean
+from corollary.problem.csv_table import read_table
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.roster import COLUMNS, Student
-from corollary.problem.table import read_table
 from corollary.records.lms_names import Directory
 
 KEY_BYTES = 32

@@ -9,9 +9,9 @@ from itertools import zip_longest
 from pathlib import Path
 
 from corollary.messages import few, visible
+from corollary.problem.csv_table import Cells, read_cells
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.roster import HEADINGS, columns_of, is_nobody
-from corollary.problem.table import Cells, read_cells
 from corollary.records.lms_names import Directory
 from corollary.records.marks_table import Column, MarksTable, Notation
 

@@ -13,11 +13,11 @@ import msgspec
 
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
 from corollary.atomic import write_each_whole, write_whole
-from corollary.grading.grade import Marked, NearMiss
-from corollary.grading.record import marked_record
+from corollary.grading.mark_record import marked_record
+from corollary.grading.part_grades import Marked, NearMiss
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import BESIDE, Course
-from corollary.records.manual import (
+from corollary.records.manual_marks import (
     ManualMark,
     ManualMarks,
     OfStudent,

@@ -17,9 +17,9 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.records.collusion import RARE, SHARING, Shared, read_shared
 from corollary.records.deadlines import Deadlines, read_deadlines
 from corollary.records.files import Course, students
-from corollary.records.manual import ManualMarks
+from corollary.records.manual_marks import ManualMarks
 from corollary.records.marks import HandedIn, Row, read_marks
-from corollary.records.near_misses import NearMisses, near_misses, near_misses_record
+from corollary.records.near_miss_groups import NearMisses, near_misses, near_misses_record
 from corollary.records.submissions import (
     UNUSABLE,
     guessed_time,

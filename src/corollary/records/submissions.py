@@ -16,7 +16,7 @@ from msgspec import UNSET
 
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.atomic import write_whole
-from corollary.grading.grade import Grade, PartGrade
+from corollary.grading.part_grades import Grade, PartGrade
 from corollary.messages import visible
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student

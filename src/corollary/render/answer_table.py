@@ -10,7 +10,7 @@ from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.points import grade
 from corollary.problem.part import Part
-from corollary.render.item import ChoiceAsked, Credit, LmsItem, NumbersAsked, PartAsked
+from corollary.render.lms_item import ChoiceAsked, Credit, LmsItem, NumbersAsked, PartAsked
 from corollary.units.unit import ONE, show
 
 INSIDE, OUTSIDE = 0.98, 1.02  # of what is tolerated

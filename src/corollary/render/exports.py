@@ -19,7 +19,7 @@ from corollary.problem.roster import Student
 
 if TYPE_CHECKING:
     from corollary.records.marks_table import MarksTable
-    from corollary.render.item import LmsItem
+    from corollary.render.lms_item import LmsItem
     from corollary.render.paper.print_run import PrintRun
 
 GROUP = "corollary.exports"

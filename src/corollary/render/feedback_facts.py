@@ -14,7 +14,7 @@ from datetime import datetime
 import msgspec
 
 from corollary.answers.verdict import Unmarked, Unread
-from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.grading.part_grades import Grade, Marked, PartGrade
 from corollary.messages import catalogue
 from corollary.notebook.worksheet import Prompt, exercise
 from corollary.problem.dates import in_words

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.near_misses import PartToMark
+from corollary.records.near_miss_groups import PartToMark
 from corollary.render.page import page
 
 

@@ -9,7 +9,7 @@ from itertools import groupby
 from corollary.answers.registry import answer_type
 from corollary.answers.table.entry import heads as table_heads
 from corollary.answers.verdict import Unmarked, Verdict
-from corollary.grading.grade import PartGrade
+from corollary.grading.part_grades import PartGrade
 from corollary.messages import catalogue, spoken
 from corollary.notebook.worksheet import Exercise, Prompt
 from corollary.practice.posed import Posed

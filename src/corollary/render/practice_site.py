@@ -25,7 +25,7 @@ from corollary.render.animation import animation
 from corollary.render.markdown import html, inline
 from corollary.render.practice_page import exercise_piece, more_numbers, practice_page, verdict_look
 from corollary.render.pyodide import scripts, snapshot
-from corollary.units.table import rows_of_others
+from corollary.units.unit_table import rows_of_others
 
 EXERCISES_FIRST = 3
 STAND_INS = {"flint": "corollary.formula.plain_arb"}
@@ -62,11 +62,11 @@ def _first_asked(practice: Practice) -> Iterator[tuple[str, ...]]:
 
 
 def reading() -> dict[str, Any]:
-    """What `templates/reading.py` begins with: the modules that read and judge, as texts, and what they are told."""
+    """What `templates/carried_reader.py` begins with: the modules that read and judge, as texts, and what they are told."""
     carried = texts_of(ENTRIES, STAND_INS)
     return {
         "loader": files("corollary.notebook").joinpath("carried.py").read_text(encoding="utf-8"),
-        "start": files("corollary.render").joinpath("templates", "reading.py").read_text(encoding="utf-8"),
+        "start": files("corollary.render").joinpath("templates", "carried_reader.py").read_text(encoding="utf-8"),
         "modules": dict(carried),
         "entries": ENTRIES,
         "units": rows_of_others(),

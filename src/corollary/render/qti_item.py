@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from xml.etree import ElementTree as Xml
 
-from corollary.render.item import ChoiceAsked, Credit, NumbersAsked, PartAsked
+from corollary.render.lms_item import ChoiceAsked, Credit, NumbersAsked, PartAsked
 from corollary.render.markdown import html
 from corollary.render.markdown import inline as inline_html
 

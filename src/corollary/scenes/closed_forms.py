@@ -8,12 +8,12 @@ from dataclasses import replace
 from itertools import pairwise
 
 from corollary.formula.ball import Ball
-from corollary.scenes.collision import Collided, collide
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
 from corollary.scenes.integrate.single_contact import collided
+from corollary.scenes.line_collision import Collided, collide
 from corollary.scenes.models.central import in_well, orbit
 from corollary.scenes.models.certain import Balls, Evaluated, found, sign
 from corollary.scenes.models.pair import Pair, refuse_too_soft

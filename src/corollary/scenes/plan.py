@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from numbers import Real
 
 from corollary.scenes.closed_forms import in_a_plane, in_a_well, on_a_line, round_a_centre
-from corollary.scenes.motion.energy import (
+from corollary.scenes.motion.conserved import (
     energy,
     energy_terms,
     keeps_energy,

@@ -25,8 +25,8 @@ from corollary.formula.ast import (
 from corollary.formula.errors import ParseError, refused
 from corollary.formula.exact import constant, exactly
 from corollary.formula.functions import FUNCTIONS
+from corollary.formula.plain_text import text
 from corollary.formula.rational_pi import RationalPi
-from corollary.formula.text import text
 from corollary.messages import N_, catalogue
 from corollary.units.unit import ONE, Dimension, show, si_unit
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from itertools import product
 
-from corollary.units.table import APART, PREFIXES, UNITS, WITH_PREFIXES
+from corollary.units.unit_table import APART, PREFIXES, UNITS, WITH_PREFIXES
 
 LONGEST_RUN = 9
 MOST_SPELLINGS = 64

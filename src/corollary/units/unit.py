@@ -13,7 +13,7 @@ from corollary.formula.numerals import RAISED, TO_ASCII
 from corollary.messages import catalogue
 from corollary.units.dimension import BASE, DIFFERENCE, ONE, PURE, Dimension, Unit
 from corollary.units.run_together import cuts, in_any_case
-from corollary.units.table import APART, CALLED, ENGLISH, NAMED, REFUSED, UNITS, UNSUGGESTED, prefixed
+from corollary.units.unit_table import APART, CALLED, ENGLISH, NAMED, REFUSED, UNITS, UNSUGGESTED, prefixed
 
 _ = catalogue(__name__)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from corollary.derive.put_back import PutBack
-from corollary.verify.mutation.record import MutationScore
+from corollary.verify.mutation.score_record import MutationScore
 from corollary.verify.obligations.obligation import Settled
 
 MOST = 20  # complaints of one problem: an author mends the first and verifies again

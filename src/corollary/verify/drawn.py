@@ -6,14 +6,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from corollary.answers.expected import Values
-from corollary.answers.options import option_named
+from corollary.answers.option_names import option_named
 from corollary.answers.registry import answer_type
 from corollary.derive.solution import Solution
 from corollary.formula.ball import Undefined
 from corollary.formula.numerals import decimal_text
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.grading.assign import admitted, visible_mistakes
-from corollary.grading.free_body import as_answered, as_people_say, free_body
+from corollary.grading.forces_on_body import as_answered, as_people_say, free_body
 from corollary.grading.key import Key, make_key
 from corollary.grading.replay import WhatIf, without_noise
 from corollary.problem.part import Part

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from corollary.answers.answer import Answer, Entries, Letter, Numbers, Unclear
 from corollary.answers.expected import Values
 from corollary.answers.numbers import scalar
-from corollary.answers.options import option_named
+from corollary.answers.option_names import option_named
 from corollary.answers.questions import question_in
 from corollary.answers.registry import answer_type
 from corollary.answers.vectors import vector

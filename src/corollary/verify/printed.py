@@ -13,7 +13,7 @@ from corollary.derive.solution import Solution
 from corollary.derive.statements import Printed
 from corollary.formula.errors import ParseError
 from corollary.formula.numerals import figures_apart
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.formula.value import Items, Text
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key

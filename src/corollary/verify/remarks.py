@@ -14,7 +14,7 @@ from corollary.formula.ball import Undefined
 from corollary.grading.key import Key
 from corollary.grading.replay import WhatIf, replay
 from corollary.problem.bank import Bank
-from corollary.problem.pictures import unused
+from corollary.problem.packed_pictures import unused
 from corollary.problem.problem import Problem
 from corollary.verify.checked import Tally
 

@@ -15,9 +15,9 @@ from corollary.answers.registry import answer_type, judging
 from corollary.answers.sample import Sample, Truth
 from corollary.answers.verdict import described, word
 from corollary.formula.ast import Relation
-from corollary.formula.text import text
-from corollary.grading.expected import expected_of
-from corollary.grading.free_body import as_answered, free_body
+from corollary.formula.plain_text import text
+from corollary.grading.expectations import expected_of
+from corollary.grading.forces_on_body import as_answered, free_body
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, named

@@ -12,7 +12,7 @@ from corollary.problem.problem import Problem
 from corollary.sandbox.folders import remove_abandoned
 from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked
-from corollary.verify.programs import unstarted
+from corollary.verify.program_checks import unstarted
 from corollary.verify.verify import not_verified, verify
 
 Todo = Sequence[tuple[Bank, Problem]]

@@ -15,10 +15,10 @@ from typing import Any
 from corollary import plug_ins, user_cache
 from corollary.derive.load import NotDerivable, source
 from corollary.problem.bank import Bank
-from corollary.problem.pictures import packed_file, unused
+from corollary.problem.packed_pictures import packed_file, unused
 from corollary.problem.problem import Problem
 from corollary.verify.checked import Checked
-from corollary.verify.mutation.record import from_data
+from corollary.verify.mutation.score_record import from_data
 from corollary.verify.obligations.obligation import Settled
 from corollary.verify.side_by_side import Todo, VerifyEach, verify_each
 

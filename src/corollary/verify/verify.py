@@ -22,10 +22,10 @@ from corollary.verify.expected_answers import check_expected
 from corollary.verify.hidden_mistakes import check_hidden_mistakes
 from corollary.verify.laws import check_cases, check_dimensions, check_laws
 from corollary.verify.mutation.score import DRAWS, Played, score
-from corollary.verify.obligations.check import check_obligations
-from corollary.verify.options import check_options
+from corollary.verify.obligations.complaints import check_obligations
+from corollary.verify.option_texts import check_options
 from corollary.verify.printed import check_printed
-from corollary.verify.programs import check_programs
+from corollary.verify.program_checks import check_programs
 from corollary.verify.question_text import check_question
 from corollary.verify.remarks import remark
 from corollary.verify.samples import check_claims, check_samples

@@ -16,7 +16,7 @@ from corollary.derive.ready_scenes import run
 from corollary.derive.simulation import Seen, Simulation, simulations_of
 from corollary.derive.solution import Solution
 from corollary.formula.numerals import decimal_text
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.formula.value import Items, Real, Text, Value
 from corollary.grading.assign import admitted, collisions
 from corollary.grading.judge import judge

@@ -6,7 +6,7 @@ import pytest
 
 from corollary.audit.bank_file import laws_by_id, records_of
 from corollary.audit.examine import examine
-from corollary.audit.readers.moodle import moodle_records
+from corollary.audit.readers.moodle_xml import moodle_records
 from corollary.problem.diagnostic import Malformed
 
 SHELL = """<?xml version="1.0" encoding="UTF-8"?>

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from corollary.audit.bank_file import records_of
-from corollary.audit.readers.qti import qti_records
+from corollary.audit.readers.qti_items import qti_records
 from corollary.problem.diagnostic import Malformed
 
 SHELL = (

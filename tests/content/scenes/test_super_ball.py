@@ -6,9 +6,9 @@ import pytest
 from tests.ready_scene_files import names_in
 
 from corollary.derive.ready_scenes import run
-from corollary.scenes.collision import collide
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
+from corollary.scenes.line_collision import collide
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, GuardFailed, components
 from corollary.scenes.run import Observable as O

@@ -17,7 +17,7 @@ from corollary.problem.bank import chapter_bank, find
 from corollary.problem.problem_set import read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
-from corollary.sandbox.notebook import Notebook, notebook_of
+from corollary.sandbox.notebook_file import Notebook, notebook_of
 from corollary.sandbox.runner import Runner
 
 DRAW = """

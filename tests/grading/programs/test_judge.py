@@ -8,7 +8,7 @@ from corollary.answers.verdict import Mistaken, Right
 from corollary.derive.statements import Code
 from corollary.formula.value import Items, Real
 from corollary.grading.program_run import ProgramRun
-from corollary.grading.programs.judge import asks, inputs_of, judge_code
+from corollary.grading.programs.judge_programs import asks, inputs_of, judge_code
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.variant import chapter

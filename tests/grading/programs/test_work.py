@@ -10,7 +10,7 @@ from corollary.grading.key import Key
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs import work
 from corollary.grading.programs.curves import DrawnCurve, Graph
-from corollary.grading.programs.judge import judge_plot
+from corollary.grading.programs.judge_programs import judge_plot
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter

@@ -6,7 +6,7 @@ from functools import partial
 import pytest
 
 from corollary.derive.ready_scenes import run
-from corollary.scenes import collision
+from corollary.scenes import line_collision
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import both_ways, regularised, single_contact
 from corollary.scenes.models.pair import Pair, meet
@@ -118,10 +118,10 @@ def test_it_is_used_where_it_is_asked_for(compiled, monkeypatch, eta):
     monkeypatch.setattr(both_ways, "compiled", lambda module: calls.append(module) or taken(module))
     for value, count in (("", 0), ("0", 0), ("1", 1)):
         monkeypatch.setenv(both_ways.ASKED_BY, value)
-        collision.collide.cache_clear()
-        collision.collide(line, 1e-12)
+        line_collision.collide.cache_clear()
+        line_collision.collide(line, 1e-12)
         assert calls == ["row_motion"] * count
-    collision.collide.cache_clear()
+    line_collision.collide.cache_clear()
 
 
 def test_without_numba_it_says_what_to_install(monkeypatch):
@@ -130,6 +130,6 @@ def test_without_numba_it_says_what_to_install(monkeypatch):
     for module in list(both_ways.sys.modules):
         if module.endswith(both_ways.SUFFIX):
             monkeypatch.delitem(both_ways.sys.modules, module)
-    collision.collide.cache_clear()
+    line_collision.collide.cache_clear()
     with pytest.raises(BadSetting, match="pip install numba"):
         run("cradle", {"N": 4.0, "q": 1.5})

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from corollary.scenes import collision
+from corollary.scenes import line_collision
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import row_motion
 from corollary.scenes.integrate.regularised import collide
@@ -197,7 +197,7 @@ def test_whatever_the_damping_a_ball_is_released_or_sticks(q, thickness, weight,
     def kept(more):
         eta = critical * 10.0**thickness * more
         line = RowOfBodies((math.inf, m), (0.0, -speed), (0.0,), (Contact(k, q, eta),), weight=weight)
-        found = collision.collide(line, tolerance)
+        found = line_collision.collide(line, tolerance)
         assert found.result.outcome in ("released", "sticks")
         return (found.result.velocities[1] / speed) ** 2, found.errors["velocities"]
 

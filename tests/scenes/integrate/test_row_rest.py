@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from corollary.scenes.collision import collide
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.regularised import LaidOut, state_of
 from corollary.scenes.integrate.row_motion import TOO_LONG
 from corollary.scenes.integrate.row_rest import creep, lasts_at_least, stays
+from corollary.scenes.line_collision import collide
 from corollary.scenes.row import RowOfBodies, in_units, natural_units
 from corollary.scenes.run import GuardFailed
 

@@ -10,8 +10,8 @@ from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
-from corollary.scenes.motion import steps
-from corollary.scenes.motion.energy import never_meets
+from corollary.scenes.motion import stepper
+from corollary.scenes.motion.conserved import never_meets
 from corollary.scenes.motion.follow import follow
 from corollary.scenes.plan import play
 from corollary.scenes.run import GuardFailed, components
@@ -64,14 +64,14 @@ def test_what_never_touches_is_seen_at_the_start():
 def test_a_motion_whose_steps_are_wrong_is_not_handed_out(monkeypatch, wrong):
     """Each step makes all velocities a little too large or too small and does not know it: energy tells."""
 
-    class Wrong(steps.DOP853):
+    class Wrong(stepper.DOP853):
         def step(self):
             message = super().step()
             half = len(self.y) // 2
             self.y[half:] *= 1.0 + wrong
             return message
 
-    monkeypatch.setattr(steps, "DOP853", Wrong)
+    monkeypatch.setattr(stepper, "DOP853", Wrong)
     with pytest.raises(GuardFailed, match="the energy changed by"):
         follow(Scene(PAIR, (Contact(2e4),)), 1e-10)
 

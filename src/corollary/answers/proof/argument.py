@@ -26,7 +26,7 @@ from corollary.formula.ast import (
 from corollary.formula.errors import Undefined
 from corollary.polynomials.ideal import Ideal
 from corollary.polynomials.polynomial import Polynomial, TooLarge, factored
-from corollary.polynomials.signs import Bounds
+from corollary.polynomials.polynomial_signs import Bounds
 from corollary.polynomials.translate import Translation
 
 Kind = Literal["definition", "empty", "law", "follows", "open", "undecided"]

@@ -16,9 +16,9 @@ from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth
 from corollary.answers.verdict import Mistaken, Right, Unmarked, Verdict, Wrong
 from corollary.formula.ast import names
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.messages import catalogue
-from corollary.polynomials.signs import Bounds
+from corollary.polynomials.polynomial_signs import Bounds
 from corollary.sandbox.limited import NotFinished, limited
 
 _ = catalogue(__name__)

@@ -13,8 +13,8 @@ from corollary.formula.ast import Expr, Name, Relation, children, names, substit
 from corollary.formula.ball import certified
 from corollary.formula.errors import Undefined
 from corollary.formula.exact import constant
+from corollary.formula.plain_text import text as written
 from corollary.formula.syntax import author_formula
-from corollary.formula.text import text as written
 from corollary.units.unit import PURE
 from corollary.units.unit import unit as unit_named
 

@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from corollary.answers.evaluation import number
-from corollary.answers.options import option_named
+from corollary.answers.option_names import option_named
 from corollary.derive.statements import Code, Explain, Plot
-from corollary.grading.free_body import as_answered, free_body
+from corollary.grading.forces_on_body import as_answered, free_body
 from corollary.grading.key import Key, named
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.roster import Student

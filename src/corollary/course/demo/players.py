@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from corollary.course.demo.player import Hand, Player, right_sources
 from corollary.formula.numerals import decimal_text
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.grading.key import Key
 from corollary.grading.replay import WhatIf, replay
 from corollary.notebook.worksheet import Prompt, Worksheet

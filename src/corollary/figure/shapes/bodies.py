@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from corollary.figure.canvas import DARK_GREY, INK, TINTS, Attachment, Canvas
+from corollary.figure.drawing_sheet import DARK_GREY, INK, TINTS, Attachment, Canvas
 from corollary.figure.item import FigureItem, NotDrawable
 from corollary.figure.primitive import primitive
 from corollary.figure.room import Box, around

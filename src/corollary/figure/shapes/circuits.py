@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from corollary.figure.canvas import INK, TINTS, Canvas
+from corollary.figure.drawing_sheet import INK, TINTS, Canvas
 from corollary.figure.item import FigureItem, NotDrawable, Point
 from corollary.figure.primitive import primitive
 from corollary.figure.room import around

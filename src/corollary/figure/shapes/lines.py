@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from corollary.figure.canvas import BEHIND, INK, MIDDLE, Canvas
 from corollary.figure.colour import BLUE
+from corollary.figure.drawing_sheet import BEHIND, INK, MIDDLE, Canvas
 from corollary.figure.item import FigureItem, NotDrawable, Point
 from corollary.figure.primitive import primitive
 from corollary.figure.room import TextSpot, around

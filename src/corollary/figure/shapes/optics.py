@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
-from corollary.figure.canvas import INK, TINTS, Canvas
 from corollary.figure.colour import BLUE, VERMILLION
+from corollary.figure.drawing_sheet import INK, TINTS, Canvas
 from corollary.figure.item import FigureItem, NotDrawable
 from corollary.figure.primitive import primitive
 from corollary.figure.room import around

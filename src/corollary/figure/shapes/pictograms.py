@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from corollary.figure.canvas import DARK_GREY, TINTS, Attachment, Canvas
+from corollary.figure.drawing_sheet import DARK_GREY, TINTS, Attachment, Canvas
 from corollary.figure.item import FigureItem, Point
 from corollary.figure.primitive import primitive
 from corollary.figure.shapes.bodies import known, put

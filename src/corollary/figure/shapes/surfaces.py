@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from corollary.figure.canvas import BEHIND, INK, Canvas, fixed
+from corollary.figure.drawing_sheet import BEHIND, INK, Canvas, fixed
 from corollary.figure.item import FigureItem, Point
 from corollary.figure.primitive import primitive
 from corollary.figure.room import TextSpot, around

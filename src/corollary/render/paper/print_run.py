@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from corollary.answers.options import option_named
+from corollary.answers.option_names import option_named
 from corollary.answers.registry import answer_type
 from corollary.derive.solution import AppliedLaw, Solution
 from corollary.derive.typeset_numbers import given_numbers, quantity

@@ -14,12 +14,20 @@ from corollary.answers.unit_meant import unit_meant
 from corollary.formula.errors import ParseError
 from corollary.messages import catalogue
 from corollary.render.exports import CarriedPart, ItemFiles, Target
-from corollary.render.item import ChoiceAsked, Credit, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
+from corollary.render.lms_item import (
+    ChoiceAsked,
+    Credit,
+    LmsItem,
+    NotAsked,
+    NumbersAsked,
+    PartAsked,
+    ProseAsked,
+)
 from corollary.render.page import drawing_file
 from corollary.render.pictures import as_files, lifted
 from corollary.render.tex_html import tex_html, tex_inline
-from corollary.units.table import ENGLISH, UNITS
 from corollary.units.unit import ONE, Unit, canonical, read_unit, show
+from corollary.units.unit_table import ENGLISH, UNITS
 
 _ = catalogue(__name__)
 

@@ -8,9 +8,9 @@ from typing import Final
 from xml.sax.saxutils import escape
 
 from corollary.formula.ast import Call, Expr, Number, Relation, children, names, rebuilt, walk
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.render.exports import CarriedPart, ItemFiles, Target
-from corollary.render.item import LmsItem, NotAsked
+from corollary.render.lms_item import LmsItem, NotAsked
 from corollary.render.targets import moodle
 from corollary.render.tex_html import tex_html, tex_inline
 

@@ -9,7 +9,15 @@ from itertools import groupby
 
 from corollary.messages import catalogue, in_convention
 from corollary.render.exports import CarriedPart, ItemFiles, Target
-from corollary.render.item import ChoiceAsked, Credit, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
+from corollary.render.lms_item import (
+    ChoiceAsked,
+    Credit,
+    LmsItem,
+    NotAsked,
+    NumbersAsked,
+    PartAsked,
+    ProseAsked,
+)
 from corollary.render.markdown import html, inline
 from corollary.render.page import drawing_address
 from corollary.units.unit import show

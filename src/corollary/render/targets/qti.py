@@ -10,7 +10,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 from corollary.messages import catalogue
 from corollary.render.exports import CarriedPart, ItemFiles, Target
-from corollary.render.item import ChoiceAsked, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
+from corollary.render.lms_item import ChoiceAsked, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
 from corollary.render.page import drawing_file
 from corollary.render.pictures import as_files
 from corollary.render.qti_item import block, float_text, inline, processing

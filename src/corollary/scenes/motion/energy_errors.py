@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.motion.energy import (
+from corollary.scenes.motion.conserved import (
     energy,
     energy_terms,
     keeps_energy,

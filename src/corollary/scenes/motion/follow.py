@@ -13,14 +13,14 @@ from statistics import median
 import numpy as np
 
 from corollary.scenes.constraint import Constraint, State, farther_off
-from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, never_meets, used_up
+from corollary.scenes.motion.conserved import energy, keeps_energy, kinetic, never_meets, used_up
+from corollary.scenes.motion.equations_of_motion import Mode, Slope, System
 from corollary.scenes.motion.guards import Guard, Guards
 from corollary.scenes.motion.modes import Moment, drifted
 from corollary.scenes.motion.own_forces import overlooked
 from corollary.scenes.motion.path import Happening, Stretch, Trajectory
 from corollary.scenes.motion.sizes import FINEST_OVERLAP, Sizes, least_squeeze, sizes_of
-from corollary.scenes.motion.steps import Stepper
-from corollary.scenes.motion.system import Mode, Slope, System
+from corollary.scenes.motion.stepper import Stepper
 from corollary.scenes.progress import tell
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.scene import Conserves, Scene, overlap, start_of

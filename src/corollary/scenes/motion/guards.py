@@ -13,10 +13,10 @@ from corollary.scenes.body import inside
 from corollary.scenes.constraint import State
 from corollary.scenes.integrate.contact_motion import NEAREST
 from corollary.scenes.motion.contact_forces import SLIPS, Array, Item, Status, most_held
-from corollary.scenes.motion.isolation import minima
+from corollary.scenes.motion.equations_of_motion import Mode, System
+from corollary.scenes.motion.first_root import minima
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
-from corollary.scenes.motion.system import Mode, System
 from corollary.scenes.scene import pairs, seen_from
 
 Value = Callable[[float, State], float]

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from corollary.scenes.motion.contact_forces import SLIPS, Array, Item, Status, answer, settled
+from corollary.scenes.motion.equations_of_motion import Mode, System
 from corollary.scenes.motion.sizes import Sizes, last_digit
-from corollary.scenes.motion.system import Mode, System
 from corollary.scenes.run import GuardFailed
 
 MOST_HITS = 100

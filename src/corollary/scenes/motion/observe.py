@@ -13,10 +13,10 @@ from typing import assert_never
 from scipy.optimize import minimize_scalar
 
 from corollary.scenes.body import loose, nothing_moves
-from corollary.scenes.motion.energy import energy, impulses, kinetic, masses_at, momentum, refuse_rest
-from corollary.scenes.motion.isolation import POINTS
+from corollary.scenes.motion.conserved import energy, impulses, kinetic, masses_at, momentum, refuse_rest
+from corollary.scenes.motion.equations_of_motion import moved_contacts
+from corollary.scenes.motion.first_root import POINTS
 from corollary.scenes.motion.path import Stretch, Trajectory, Turn
-from corollary.scenes.motion.system import moved_contacts
 from corollary.scenes.motion.turns import fastest, flat, turns
 from corollary.scenes.run import BadSetting, Observable, Observed, Outcome
 from corollary.scenes.scene import (

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from corollary.scenes.constraint import State
-from corollary.scenes.motion.isolation import POINTS, Array, coefficients
+from corollary.scenes.motion.first_root import POINTS, Array, coefficients
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.scene import Force, Scene

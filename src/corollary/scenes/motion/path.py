@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import DOP853, Radau
 
-from corollary.scenes.motion.isolation import DERIVATIVE, POINTS, coefficients
-from corollary.scenes.motion.system import Mode
+from corollary.scenes.motion.equations_of_motion import Mode
+from corollary.scenes.motion.first_root import DERIVATIVE, POINTS, coefficients
 
 Array = NDArray[np.float64]
 # What lasts for such a part of the time until then is over as it begins.

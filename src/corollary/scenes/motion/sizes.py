@@ -11,8 +11,8 @@ from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
+from corollary.scenes.motion.equations_of_motion import System
 from corollary.scenes.motion.own_forces import pushed
-from corollary.scenes.motion.system import System
 from corollary.scenes.row import reduced_mass
 from corollary.scenes.scene import ContactForce, Scene, overlap, start_of
 

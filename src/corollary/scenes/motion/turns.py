@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from corollary.scenes.body import starts_across
-from corollary.scenes.motion.isolation import POINTS, certainly_positive, coefficients, first_fall, root_of
+from corollary.scenes.motion.first_root import POINTS, certainly_positive, coefficients, first_fall, root_of
 from corollary.scenes.motion.path import Stretch, Trajectory, Turn
 from corollary.scenes.scene import Scene, place, velocity
 

@@ -25,8 +25,8 @@ from corollary.formula.ast import (
 from corollary.formula.ball import certified, evaluate
 from corollary.formula.errors import Undefined
 from corollary.formula.exact import exactly
+from corollary.formula.plain_text import text
 from corollary.formula.rational_pi import RationalPi
-from corollary.formula.text import text
 from corollary.polynomials.polynomial import TooLarge
 from corollary.polynomials.rational_function import RationalFunction
 from corollary.polynomials.translate import Translation

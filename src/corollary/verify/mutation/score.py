@@ -1,4 +1,4 @@
-"""The mutation score of a problem: each law bent in each way, held against the checks that the problem has; the line that would catch most."""
+"""The mutation score of a problem: each law bent in each way, held against its checks; the line that would catch most."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from corollary.formula.ball import Undefined
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import NoTree
 from corollary.formula.operators import OPERATORS, as_stated, measured
-from corollary.formula.text import text
+from corollary.formula.plain_text import text
 from corollary.grading.key import Key, make_key
 from corollary.laws.law import Law
 from corollary.problem.part import Part
@@ -48,8 +48,8 @@ from corollary.verify.expected_answers import difference, in_order
 from corollary.verify.laws import dimensions_of
 from corollary.verify.mutation.notices import EXACT, Checks, MutationCase, off
 from corollary.verify.mutation.numeric_roots import FAILURES, Values
-from corollary.verify.mutation.record import MutationScore, Unnoticed
 from corollary.verify.mutation.resolved import Laws, Replacement, Resolver
+from corollary.verify.mutation.score_record import MutationScore, Unnoticed
 from corollary.verify.mutation.spots import (
     BentEquations,
     Contradicted,

@@ -12,8 +12,8 @@ import numpy as np
 
 from corollary.derive.solution import Solution
 from corollary.formula.ast import Expr, Relation, opposite
+from corollary.formula.plain_text import text
 from corollary.formula.rational_pi import RationalPi
-from corollary.formula.text import text
 from corollary.problem.sampling import sample
 from corollary.problem.variant import Variant, number
 from corollary.verify.obligations.algebra import Algebra

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable
 
 from corollary.problem.figure import is_svg
-from corollary.problem.pictures import pictures_of
+from corollary.problem.packed_pictures import pictures_of
 from corollary.problem.problem import Problem
 from corollary.problem.translation import translations
 from corollary.verify.words.asked_sign import MAGNITUDE

@@ -26,9 +26,9 @@ from corollary.derive.statements import Explain
 from corollary.formula.ast import Name, Relation
 from corollary.formula.ball import RationalPi, Undefined, certified
 from corollary.grading.follow_through import AsWritten, consequences
-from corollary.grading.free_body import free_body
+from corollary.grading.forces_on_body import free_body
 from corollary.grading.key import Key, Truth, named
-from corollary.grading.misconceptions import slips_of_input, wrong_formulas, wrong_values
+from corollary.grading.misconception_values import slips_of_input, wrong_formulas, wrong_values
 from corollary.grading.replay import replay
 from corollary.grading.rounded_by_hand import explained_by_rounding
 from corollary.problem.given import Given

@@ -13,7 +13,14 @@ from corollary.atomic import write_each_whole, write_whole
 from corollary.nbgrader.gradebook import gradebook, has_gradebook
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
-from corollary.records.manual import ManualMark, ManualMarks, OfStudent, Place, read_manual, write_manual
+from corollary.records.manual_marks import (
+    ManualMark,
+    ManualMarks,
+    OfStudent,
+    Place,
+    read_manual,
+    write_manual,
+)
 from corollary.records.marks import (
     NewMarks,
     changed_by_points,
@@ -88,7 +95,7 @@ def current_manual(course: Course) -> ManualMarks:
     journal = read_manual(course)
     if not has_gradebook(course) or is_as_seen(course, state(course, journal.count)):
         return journal
-    from corollary.nbgrader.manual import manual_marks
+    from corollary.nbgrader.manual_grades import manual_marks
 
     with gradebook(course) as book:
         return manual_marks(course, book)
@@ -99,7 +106,7 @@ def synchronized(course: Course) -> ManualMarks:
     manual = read_manual(course)
     if not has_gradebook(course) or is_as_seen(course, state(course, manual.count)):
         return manual
-    from corollary.nbgrader.manual import synchronize
+    from corollary.nbgrader.manual_grades import synchronize
 
     for _ in range(2):  # what is written the first time is seen the second
         before = state(course, manual.count)
@@ -131,7 +138,7 @@ def write_graded(
             {course.notebook("autograded", one.marked.student.id, name): one.notebook for one in several}
         )
     else:
-        from corollary.nbgrader.record import record_several
+        from corollary.nbgrader.gradebook_record import record_several
 
         record_several(course, book, problem_set, several, manual, anew=anew)
     new = [

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from hashlib import sha256
 
-from corollary.records.manual import ManualMark
+from corollary.records.manual_marks import ManualMark
 from corollary.records.marks import Row
 
 NUMBER = re.compile(r"\d+(?:[.,]\d+)*")

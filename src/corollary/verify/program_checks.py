@@ -11,7 +11,7 @@ from corollary.answers.verdict import Mistaken, Right, Verdict, Wrong, described
 from corollary.derive.load import NotDerivable
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
-from corollary.grading.programs.judge import code_of, plot_of
+from corollary.grading.programs.judge_programs import code_of, plot_of
 from corollary.grading.run_programs import ran
 from corollary.guard import collecting
 from corollary.problem.bank import Bank

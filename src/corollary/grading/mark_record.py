@@ -6,7 +6,7 @@ from typing import Any
 
 from corollary.answers.verdict import Mistaken, Slip, Unmarked, word
 from corollary.grading.from_json import finite
-from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.grading.part_grades import Grade, Marked, PartGrade
 
 
 def part_record(part: PartGrade) -> dict[str, Any]:

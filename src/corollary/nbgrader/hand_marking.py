@@ -11,17 +11,17 @@ from msgspec import UNSET
 from nbformat import NotebookNode
 from nbformat.v4 import new_notebook
 
-from corollary.grading.grade import NearMiss
+from corollary.grading.part_grades import NearMiss
 from corollary.messages import did_you_mean
 from corollary.nbgrader.gradebook import gradebook, has_gradebook, has_seen
 from corollary.nbgrader.marked_notebook import answer_cells, verbatim
-from corollary.nbgrader.marks import stale_pages, synchronized
+from corollary.nbgrader.written_marks import stale_pages, synchronized
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.files import Course, ids_of, one_writer, students
-from corollary.records.manual import ManualMark, ManualMarks, Place, read_manual, write_manual
+from corollary.records.manual_marks import ManualMark, ManualMarks, Place, read_manual, write_manual
 from corollary.records.marks import Record, Row, check_graded, read_marks, write_page
-from corollary.records.near_misses import AnswerGroup, PartToMark, WrittenCell, near_misses
+from corollary.records.near_miss_groups import AnswerGroup, PartToMark, WrittenCell, near_misses
 from corollary.render.wording import points
 
 
@@ -29,7 +29,7 @@ def give(course: Course, given: Mapping[Place, ManualMark]) -> ManualMarks:
     """Everything that persons gave, these marks last. Whoever calls it is the only writer and has synchronized the course."""
     journal = read_manual(course)
     if has_gradebook(course):
-        from corollary.nbgrader.manual import fill, submitted_notebooks, weigh_lateness
+        from corollary.nbgrader.manual_grades import fill, submitted_notebooks, weigh_lateness
         from corollary.records.marks import stored_record
 
         with gradebook(course) as book:

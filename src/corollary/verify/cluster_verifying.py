@@ -15,7 +15,7 @@ from corollary.messages import speak, spoken
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.verify.checked import Checked
-from corollary.verify.programs import unstarted
+from corollary.verify.program_checks import unstarted
 from corollary.verify.side_by_side import Todo, VerifyEach, longest_first
 from corollary.verify.unchanged import origin
 from corollary.verify.verify import verify

@@ -14,7 +14,7 @@ from corollary.scenes.scene import Conserves, Force, Scene, overlap, seen_from, 
 from corollary.scenes.validation import OWN_FAILS
 
 if TYPE_CHECKING:
-    from corollary.scenes.motion.system import Mode
+    from corollary.scenes.motion.equations_of_motion import Mode
 
 
 def masses_at(scene: Scene, time: float) -> list[float]:

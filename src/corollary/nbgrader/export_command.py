@@ -9,7 +9,7 @@ from nbgrader.apps import ExportApp
 from nbgrader.plugins import CsvExportPlugin
 
 from corollary.nbgrader.alone import course_of
-from corollary.nbgrader.manual import synchronize
+from corollary.nbgrader.manual_grades import synchronize
 from corollary.records.files import BeingGraded, one_writer
 
 if TYPE_CHECKING:

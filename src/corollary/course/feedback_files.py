@@ -8,11 +8,11 @@ from pathlib import Path
 
 from corollary.course.lms_places import NoPlaces, packed, places
 from corollary.course.up_to_date import up_to_date
-from corollary.nbgrader.marks import stored_facts
+from corollary.nbgrader.written_marks import stored_facts
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course, students
 from corollary.records.lms_names import LmsName
-from corollary.records.manual import read_manual
+from corollary.records.manual_marks import read_manual
 from corollary.records.marks import feedback_place, stored_record, with_manual
 from corollary.render.feedback_notebook import feedback_notebook
 

@@ -20,7 +20,7 @@ from msgspec.structs import replace
 
 from corollary.nbgrader.gradebook import has_seen, seen
 from corollary.records.files import Course
-from corollary.records.manual import (
+from corollary.records.manual_marks import (
     NOTHING,
     ManualMark,
     ManualMarks,

@@ -17,16 +17,16 @@ import nbformat
 
 from corollary.answers.verdict import Unread
 from corollary.atomic import write_each_whole, write_whole
-from corollary.grading.grade import Marked, PartGrade
+from corollary.grading.part_grades import Marked, PartGrade
 from corollary.nbgrader.gradebook import NotRegistered, has_seen, seen
 from corollary.nbgrader.graded import GradedSubmission
-from corollary.nbgrader.manual import fill, is_blank, lateness_penalty
+from corollary.nbgrader.manual_grades import fill, is_blank, lateness_penalty
 from corollary.nbgrader.marked_notebook import answer_digest, part_grades
 from corollary.nbgrader.safe import safe_markdown
 from corollary.notebook.locate import answer_id
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
-from corollary.records.manual import OfStudent
+from corollary.records.manual_marks import OfStudent
 from corollary.records.marks import UNMARKED, PartRecord, Record, changed_by_points, out_of_now
 from corollary.records.submissions import beside, handed_in, stamp, stated
 

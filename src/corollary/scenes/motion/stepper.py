@@ -13,8 +13,8 @@ from scipy.integrate import DOP853, Radau
 
 from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.weight import Weight
-from corollary.scenes.motion.guards import Guards
-from corollary.scenes.motion.isolation import (
+from corollary.scenes.motion.equations_of_motion import Mode, Slope, System
+from corollary.scenes.motion.first_root import (
     POINTS,
     bracketed,
     certainly_positive,
@@ -22,10 +22,10 @@ from corollary.scenes.motion.isolation import (
     first_fall,
     root_of,
 )
+from corollary.scenes.motion.guards import Guards
 from corollary.scenes.motion.own_forces import jumps, refuse_failing, remedy
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
-from corollary.scenes.motion.system import Mode, Slope, System
 from corollary.scenes.run import FINER, GuardFailed
 
 # About a minute's, for all three runs together; and so many of those that follow a happening within as many steps, which cost more.

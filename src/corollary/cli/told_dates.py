@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 
 from corollary.cli.ending import agreed, refuse, say
 from corollary.course.renew import Renewals
-from corollary.nbgrader.marks import with_solutions
+from corollary.nbgrader.written_marks import with_solutions
 from corollary.problem.dates import written
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assignments import Assigned, pending, save_record, settle

@@ -12,9 +12,9 @@ from nbgrader.converters import GenerateFeedback
 from nbgrader.converters.base import NbGraderException
 
 from corollary.nbgrader.alone import alone, course_of
-from corollary.nbgrader.marks import page_now
+from corollary.nbgrader.written_marks import page_now
 from corollary.records.files import Course
-from corollary.records.manual import read_manual
+from corollary.records.manual_marks import read_manual
 from corollary.records.marks import stored_record
 
 

@@ -15,7 +15,7 @@ from corollary.answers.guessing import may_be_guessed
 from corollary.answers.tolerance import ROUNDING_NOISE, same_signs
 from corollary.answers.verdict import Mistaken, Right, Slip, Verdict, word
 from corollary.formula.ast import Expr, Number, Product
-from corollary.grading.expected import expected_of
+from corollary.grading.expectations import expected_of
 from corollary.grading.guesses import guessed
 from corollary.grading.key import Key
 from corollary.grading.points import share

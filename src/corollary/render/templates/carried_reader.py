@@ -19,7 +19,13 @@ def begin(carried: str) -> Callable[[str, str, str, str], str]:
     sys.meta_path.insert(0, loader.__dict__["Carried"](given["modules"]))
     table, messages, offline, verdicts, texts = (
         import_module(f"corollary.{name}")
-        for name in ("units.table", "messages", "practice.offline", "answers.verdict", "grading.verdict_text")
+        for name in (
+            "units.unit_table",
+            "messages",
+            "practice.offline",
+            "answers.verdict",
+            "grading.verdict_text",
+        )
     )
     for row in given["units"]:
         table.register(*row)
