@@ -66,7 +66,9 @@ def reading() -> dict[str, Any]:
     carried = texts_of(ENTRIES, STAND_INS)
     return {
         "loader": files("corollary.notebook").joinpath("carried.py").read_text(encoding="utf-8"),
-        "start": files("corollary.render").joinpath("templates", "carried_reader.py").read_text(encoding="utf-8"),
+        "start": files("corollary.render")
+        .joinpath("templates", "carried_reader.py")
+        .read_text(encoding="utf-8"),
         "modules": dict(carried),
         "entries": ENTRIES,
         "units": rows_of_others(),
