@@ -68,9 +68,16 @@ def expressions(leaves):
     return st.recursive(st.one_of(st.sampled_from(letters), leaves), grown, max_leaves=6)
 
 
+def as_typed(number):
+    """The shortest decimal of a double; of sums such as 0.1 + 0.2, whose last figures are rounding, fourteen figures."""
+    shortest = repr(number)
+    figures = shortest.partition("e")[0].lstrip("-0.").replace(".", "")
+    return shortest if len(figures) <= 15 else f"{number:.14g}"
+
+
 def by_sympy(expression, point):
-    """Worked out by sympy alone, with the decimals as they were typed (Fraction of their shortest text)."""
-    typed = {each: sympy.Rational(str(Fraction(repr(float(each))))) for each in expression.atoms(sympy.Float)}
+    """Worked out by sympy alone, with the decimals as they were typed."""
+    typed = {each: sympy.Rational(as_typed(float(each))) for each in expression.atoms(sympy.Float)}
     at = {
         letter: sympy.Rational(point[letter.name].numerator, point[letter.name].denominator)
         for letter in letters

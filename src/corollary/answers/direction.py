@@ -144,7 +144,7 @@ TWO_WAYS = re.compile(  # `(positive, up)`
 )
 # `301 kg left`: what is asked for has no direction.
 LEFT_OVER = re.compile(
-    r"(?<=[A-Za-z%])\s+(?:(?:is|are|was|were) )?(?:left(?: over)?|remaining)\.?\s*$", re.IGNORECASE
+    r"(?<=[A-Za-z%])(?<!\bthe)\s+(?:(?:is|are|was|were) )?(?:left(?: over)?|remaining)\.?\s*$", re.IGNORECASE
 )
 SIZE = re.compile(
     r"\b(?:speeds?|magnitude|size|how (?:fast|large|big|great|strong)|schnell\w*|betrag|tempo|fart|størrelse)\b",
