@@ -40,6 +40,8 @@ def value(text: str, unit: str):
         ("0.123 456 m", "m", 0.123456), ("1.5 E 3 N", "N", 1500), ("16.3 e1", "1", 163), ("2.179x10-3", "1", 2.179e-3), ("10^2.5", "1", 10**2.5), ("|-5| N", "N", 5),
         ("1 ¾ m", "m", 1.75), ("⁻3.2 m/s", "m/s", -3.2), ("5*Pi/3", "1", 5 * math.pi / 3), ("log_10(100)", "1", 2), ("arccot(1)", "rad", math.pi / 4),
         ("5*cos(90°) N", "N", 0), ("86 N = F", "N", 86), ("-8.6 N s = p_x", "N s", -8.6),
+        ("(F = 86 N)", "N", 86), ("[F = 86 N]", "N", 86), ("F → 86 N", "N", 86), ("F -> -86 N", "N", -86), ("F (average) = 86 N", "N", 86),
+        ("316 million km", "m", 3.16e11), ("5 thousand N", "N", 5000), ("2,5 Millionen km", "m", 2.5e9),
         ("a right angle", "rad", math.pi / 2), ("ein rechter Winkel", "deg", math.pi / 2),
         # Euler's number
         ("1/e", "1", math.exp(-1)), ("5*e^(-2) N", "N", 5 * math.exp(-2)), ("10*e^-1 V", "V", 10 * math.exp(-1)), ("5 e^(-1.5) m/s", "m/s", 5 * math.exp(-1.5)),
@@ -56,6 +58,7 @@ def test_a_quantity_is_read(text, unit, si):
     ("text", "unit"),
     [
         ("3x108 m/s", "m/s"), ("5 x 104 N", "N"), ("0x10", "1"), ("11*", "1"), ("86!", "N"), ("8-9 N", "N"), ("8 + 0.6 kg", "kg"),
+        ("F (left) = 86 N", "N"), ("F (half) = 86 N", "N"), ("(F = 86 N) = 43", "N"), ("1.029 - 21.609 J", "J"), ("86 N is 86 J", "N"),
         ("3 Cal", "J"), ("3 1/min", "rad/s"), ("3 mhz", "Hz"), ("5 MOHM", "ohm"), ("20°", "K"), ("3 m + 4 s", "m"),
         ("3 m+4 s", "m"), ("1 min 2 h", "s"), ("a,b", "1"), ("86 N = 2F", "N"), ("86 N = m a", "N"), ("86 N = 96 N", "N"),
         ("not a right angle", "rad"), ("less than a right angle", "rad"), ("half a right angle", "rad"),

@@ -16,12 +16,18 @@ from corollary.units.unit import unit
     [
         "(3, 4) N", "[3; 4] N", "<3, 4> N", "{3, 4} N", "(3 | 4) N", "3 N and 4 N", "3 N; 4 N", "3 i + 4 j N", "3 ex + 4 ey N",
         "p_y = 4 N, p_x = 3 N", "y: 4 N; x: 3 N", "vx = 3 N, vy = 4 N", "3 N und 4 N", "3 N og 4 N", "3 i N + 4 j N", "4 j N + 3 i N",
+        "3 N 4 N", "(3 N 4 N)",
     ],
 )  # fmt: skip
 def test_the_components_in_their_order(typed):
     found = pieces_of(typed, 2, ("x", "y"))
     assert isinstance(found, list), found
     assert [piece.lstrip("+") for piece in found] == ["3 N", "4 N"]
+
+
+@pytest.mark.parametrize("typed", ["3 N 4 J", "3 N 4", "3 4 N 5 N", "1 h 30 min", "3 N -4 N 5 N"])
+def test_a_blank_parts_only_what_has_the_same_unit_each(typed):
+    assert isinstance(read_quantities(typed, unit("N"), 2, ("x", "y")), ParseError)
 
 
 @pytest.mark.parametrize(

@@ -88,6 +88,15 @@ def test_the_value_solved_for_is_said(key):
     assert "2 F = 172 N gives F = 86 N" in str(verdict)
 
 
+@pytest.mark.parametrize(
+    ("text", "right"),
+    [("86 + 0 N", True), ("96 - 10 N", True), ("10 - 96 N", False), ("80-90 N", False), ("80 + 5 N", False), ("86 N is the mean force", True),
+     ("86 N (avg)", True), ("86 N is wrong", False)],
+)  # fmt: skip
+def test_a_sum_with_one_unit_at_its_end_is_that_sum_and_a_range_is_not_its_end(verdicts, text, right):
+    assert isinstance(verdicts("X12.5", c=text)["c"], Right) is right
+
+
 @pytest.mark.parametrize("text", ["1,6 Ns nach oben", "1,6 Ns up", "1.6 Ns upwards", "(0; 1,6) Ns"])
 def test_a_decimal_comma_before_a_direction_parts_no_components(verdicts, text):
     assert isinstance(verdicts("X12.7", a=text)["a"], Right)

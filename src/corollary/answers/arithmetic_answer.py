@@ -16,7 +16,7 @@ from itertools import pairwise
 from corollary.formula.abbreviations import ABBREVIATIONS, arity, function_words
 from corollary.formula.arithmetics import DOUBLES, ready
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Product, Quotient, Sum, walk
-from corollary.formula.errors import ParseError, refused
+from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.lexer import Found, Token, tokens
 from corollary.formula.numerals import VULGAR, unsigned
@@ -84,14 +84,15 @@ def worked_out(normalized: str, *, euler: bool = False) -> Worked | ParseError:
         return read
     if (found := RANGE.match(normalized)) and _number(found["low"]) < _number(found["high"]):
         why = _("{text} can be a range or a difference", text=normalized.strip())
-        return ParseError("asked", why, None, _("write one number and a unit"))
+        difference = f"({found['low']} - {found['high']}) {normalized[found.end('high') :].strip()}".strip()
+        choices = () if ".." in found[0] else (difference,)
+        return ParseError("asked", why, None, _("write one number and a unit"), choices)
     written = [token for token in read if token.kind == "unit"]
     sized = [token for token in written if units[token.text].dimension != ONE]  # angles apart
     at_the_end = len(sized) == 1 and sized[0] is read[-2]
     if at_the_end and _sum_at_the_top(read):  # of `8 + 0.6 kg` it is not clear what 8 measures
-        return refused(
-            _("a unit is missing in this sum"), 0, _("write a unit behind each number, or brackets")
-        )
+        number, unit = normalized[: sized[0].at].strip(), normalized[sized[0].at :].strip()
+        return ambiguous(_("a unit is missing in this sum"), None, f"({number}) {unit}")
     tree = formula([*read[:-2], read[-1]] if at_the_end else read, student=True, numbers=True)
     if isinstance(tree, ParseError):
         return tree

@@ -56,6 +56,8 @@ LEVEL = re.compile(r"\b(?:horizontal(?:ly)?|waagerecht|horisontalt?)\b(?! (?:to|
 UPRIGHT = re.compile(r"\b(?:vertical(?:ly)?|senkrecht|vertikalt?)\b(?! (?:up|down))", re.IGNORECASE)
 TRANSPOSED = re.compile(r"(?<=[)\]])\s*(?:\^\s*(?:T|\{T\}|\(T\))|ᵀ|\.T)(?=\s|$)")
 FACTOR = re.compile(r"[-+]|[-+]?[0-9.]+(?:\s*[A-Za-z][^()=:,;]*)?\s*\*|[-+]?[0-9.]+")
+UNIT_AND_NUMBER = re.compile(r"(?<=[A-Za-z²³°%])\s+(?=[-+]?[0-9.])")
+NUMBER_AND_UNIT = re.compile(r"[-+]?[0-9]*[.,]?[0-9]+\s*(?P<unit>[A-Za-zµΩ°%][^\s,;]*)")
 IN_SLASHES = re.compile(r"\s*([-+]?[0-9]+(?:,[0-9]+)?)\s*/\s*([-+]?[0-9]+(?:,[0-9]+)?)\s*")
 
 
@@ -93,7 +95,7 @@ def pieces_of(
         return _directed(inside, unit, count)
     if count == 2 and (slashed := _slashed(inside)) is not None:
         return slashed
-    found = _listed(_parted(inside, names), unit, count, expected)
+    found = _listed(_each_with_its_unit(_parted(inside, names), count), unit, count, expected)
     if isinstance(found, ParseError):
         return found
     found = _in_order([labelled(piece, names) for piece in found], names, question)
@@ -132,6 +134,14 @@ def _parted(inside: str, names: Sequence[str]) -> str:
     pieces = [inside[start:end] for start, end in pairwise([*starts, len(inside)])]
     ends = (re.sub(r"[\s,;]+(?:and|und|og)?\s*$", "", piece) for piece in pieces)
     return "; ".join(ends)
+
+
+def _each_with_its_unit(inside: str, count: int) -> str:
+    """`-1.48 m/s 2.95 m/s`, with a mark between the components, where nothing but the same unit stands behind each."""
+    pieces = UNIT_AND_NUMBER.split(inside.strip())
+    found = [NUMBER_AND_UNIT.fullmatch(piece) for piece in pieces]
+    units = {each["unit"] if each else "" for each in found}
+    return "; ".join(pieces) if len(pieces) == count > 1 == len(units) and "" not in units else inside
 
 
 def labelled(piece: str, names: Sequence[str]) -> str:

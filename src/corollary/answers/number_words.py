@@ -58,6 +58,18 @@ FRACTION = re.compile(
     re.IGNORECASE,
 )
 BELOW = {"half": 2, "halves": 2, "third": 3, "quarter": 4, "fourth": 4, "fifth": 5, "sixth": 6, "eighth": 8, "ninth": 9, "tenth": 10}  # fmt: skip
+POWERS = {
+    "thousand": 3,
+    "tausend": 3,
+    "tusen": 3,
+    "million": 6,
+    "millions": 6,
+    "millionen": 6,
+    "millioner": 6,
+}
+LARGE_NUMBER = re.compile(
+    rf"(?<=[0-9])\s+({'|'.join(sorted(POWERS, key=len, reverse=True))})(?=\s+[A-Za-zµ°%]|\s*$)", re.IGNORECASE
+)
 FIRST = re.compile(rf"\s*([+-]?)\s*({'|'.join(NUMBERS)})(?=\s+[A-Za-zµ°%]|\s*$)", re.IGNORECASE)
 
 
@@ -109,6 +121,7 @@ def in_digits(normalized: str, *, pure: bool) -> str:
             return str(TIMES_OVER[found[1].lower()])
         if found := WORD.fullmatch(text):
             return RATIOS[re.sub(r"\s+", " ", found[1].lower())]
+    normalized = LARGE_NUMBER.sub(lambda found: f"*10^{POWERS[found[1].lower()]}", normalized)
     if found := FIRST.match(normalized):
         return found[1] + str(NUMBERS[found[2].lower()]) + normalized[found.end() :]
     return normalized

@@ -31,6 +31,7 @@ from corollary.answers.number_words import in_digits
 from corollary.answers.polar import length_and_angle
 from corollary.answers.preamble import answer_in
 from corollary.answers.question import Question
+from corollary.answers.remark import HARMLESS
 from corollary.answers.sign_words import SIGNS
 from corollary.answers.spread import WIDEST, without_spread
 from corollary.answers.tolerance import same_value
@@ -66,6 +67,11 @@ NAME_BEHIND = re.compile(
 LABELLED = re.compile(
     rf"\s*(?P<name>{SYMBOL})\s*(?:\[(?P<squared>[^\[\]=]+)\]|\s\((?P<round>[^()=]+)\)|\s+in\s+(?P<led>[^=:]+?)|/\s*\(?(?P<below>[^()=:]+?)\)?)\s*[=:]\s*(?P<number>[-+−]?\s*[0-9.,]+(?:\s?(?:[eE]|[·*x×]\s?10\^?)[-+−]?[0-9]+)?)\s*"
 )
+IN_BRACKETS = re.compile(r"\s*[(\[](?P<equation>[^()\[\]=]+=[^()\[\]=]+)[)\]]\s*\.?\s*")  # `(F = 86 N)`
+ARROW = re.compile(rf"(?P<name>\s*{SYMBOL})\s*(?:→|⇒|[-=]>)\s*(?=[-+−]?[0-9.,])")  # `F → 86 N`
+WORDS_BEHIND_NAME = re.compile(
+    rf"(?P<name>\s*{SYMBOL})\s*\((?P<words>[A-Za-z ]+)\)(?=\s*=)"
+)  # `F (average) = 86 N`
 GLUED = re.compile(r"(?<=[A-Za-z²³°%])([+-])(?=[0-9.,]+\s*[A-Za-zµ°%])")
 PIECE = re.compile(r"([0-9]+(?:[.,][0-9]+)?)\s*(°|[A-Za-zµ]+)")
 SEVERAL = re.compile(
@@ -127,6 +133,11 @@ def read_quantity(text: str, expected: Unit | None, question: Question | None = 
 def _rewrite(text: str) -> str:
     """Stage `rewrite`: TeX, signs of other alphabets, and motion in words, as a keyboard has them; a name behind a value before it."""
     typed = motion_in_number(by_hand(text))
+    if (whole := IN_BRACKETS.fullmatch(typed)) is not None:
+        typed = whole["equation"]
+    typed = ARROW.sub(r"\g<name> = ", typed, count=1) if ARROW.match(typed) else typed
+    if (remark := WORDS_BEHIND_NAME.match(typed)) and HARMLESS.issuperset(remark["words"].lower().split()):
+        typed = remark["name"] + typed[remark.end() :]
     if (turned := NAME_BEHIND.fullmatch(typed)) and is_name(turned["name"]):
         typed = f"{turned['name']} = {turned['value']}"
     if typed != text:
@@ -291,12 +302,10 @@ def _alone(text: str, normalized: str, expected: Unit | None) -> Reading | Parse
     twice = _same_twice(normalized, expected) if isinstance(found, ParseError) else None
     if twice is not None:
         return twice
-    if (
-        isinstance(found, ParseError)
-        and found.status == "refused"
-        and not isinstance(worked := _worked(text, normalized, expected), ParseError)
-    ):
-        return worked
+    if isinstance(found, ParseError) and found.status == "refused":
+        worked = _worked(text, normalized, expected)
+        if not isinstance(worked, ParseError) or worked.choices:
+            return worked
     return found
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 WORDS = r"[^0-9=<>≤≥]"
 BECAUSE = "because|since|due to|weil|fordi"  # lead the reason of any answer
 LEADS = (
-    "on in at when while just right before after including incl excluding without with because since due for from by which that and so as "
+    "is was ist er on in at when while just right before after including incl excluding without with because since due for from by which that and so as "
     "above over below higher im bei beim mit ohne nach vor als wenn gegen i med uten etter før mot når"
 )
 REMARK = re.compile(
@@ -19,7 +19,7 @@ REMARK = re.compile(
 # Words that change neither the number nor its sign. Whatever else is said, a person reads.
 NEUTRAL: str = (
     "a an the this that it its he she his her my of on in at by with from for to as is was are and we i.e so e.g "
-    "average mean magnitude total altogether size value force speed velocity momentum impulse energy kinetic weight gravity mass "
+    "average avg mean magnitude total altogether size value force speed velocity momentum impulse energy kinetic weight gravity mass "
     "height time including incl included without excluding just right shortly immediately before after during while when where "
     "collision impact hit hits hitting reaching reaches ground floor landing lands contact kick jump "
     "bullet ball block car book wall body object person sphere rocket chain atom club racket track "
