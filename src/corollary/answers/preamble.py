@@ -26,15 +26,13 @@ TALK = (
     "la le les est vaut sont impulsion vitesse énergie hauteur quantité mouvement moyenne"
 )
 WORDS = "|".join(map(re.escape, sorted(f"{ABOUT} {TALK}".split(), key=len, reverse=True)))
-# `The average force on the ball is 86 N`: harmless words up to a verb, none of which changes what follows.
-WITHOUT_CHANGE = "|".join(
-    sorted(
-        {word for word in HARMLESS | frozenset(f"{TALK} it's".split()) if word.isalpha() or word == "it's"}
-        - OF_CHANGE
-        - frozenset(SIGNS),
-        key=lambda word: (-len(word), word),
-    )
+# Harmless words, none of which changes what follows: those of `The average force on the ball is 86 N` up to the verb.
+UNCHANGING = frozenset(
+    word
+    for word in {*HARMLESS, *TALK.split(), "it's"} - OF_CHANGE - SIGNS.keys()
+    if word.isalpha() or word == "it's"
 )
+WITHOUT_CHANGE = "|".join(sorted(UNCHANGING, key=lambda word: (-len(word), word)))
 SENTENCE = re.compile(
     rf"(?:(?:{WITHOUT_CHANGE})\s+){{1,12}}(?:(?:is|was|equals|ist|war|beträgt|er|var)\s+|(?:{WITHOUT_CHANGE}):\s*)(?=[-+]?[0-9.,√(])"
     r"|it['’]s\s+(?=[-+]?[0-9.,√(])",

@@ -29,9 +29,8 @@ from corollary.answers.motion_words import motion_in_number, motion_in_numbers
 from corollary.answers.name import SYMBOL, another_body, is_name, is_talk
 from corollary.answers.number_words import in_digits
 from corollary.answers.polar import length_and_angle
-from corollary.answers.preamble import answer_in
+from corollary.answers.preamble import UNCHANGING, answer_in
 from corollary.answers.question import Question
-from corollary.answers.remark import HARMLESS
 from corollary.answers.sign_words import SIGNS
 from corollary.answers.spread import WIDEST, without_spread
 from corollary.answers.tolerance import same_value
@@ -136,7 +135,7 @@ def _rewrite(text: str) -> str:
     if (whole := IN_BRACKETS.fullmatch(typed)) is not None:
         typed = whole["equation"]
     typed = ARROW.sub(r"\g<name> = ", typed, count=1) if ARROW.match(typed) else typed
-    if (remark := WORDS_BEHIND_NAME.match(typed)) and HARMLESS.issuperset(remark["words"].lower().split()):
+    if (remark := WORDS_BEHIND_NAME.match(typed)) and UNCHANGING.issuperset(remark["words"].lower().split()):
         typed = remark["name"] + typed[remark.end() :]
     if (turned := NAME_BEHIND.fullmatch(typed)) and is_name(turned["name"]):
         typed = f"{turned['name']} = {turned['value']}"
