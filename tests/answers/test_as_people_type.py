@@ -58,7 +58,8 @@ def test_a_quantity_is_read(text, unit, si):
     ("text", "unit"),
     [
         ("3x108 m/s", "m/s"), ("5 x 104 N", "N"), ("0x10", "1"), ("11*", "1"), ("86!", "N"), ("8-9 N", "N"), ("8 + 0.6 kg", "kg"),
-        ("F (left) = 86 N", "N"), ("F (half) = 86 N", "N"), ("F (double) = 86 N", "N"), ("F (right) = 86 N", "N"), ("(F = 86 N) = 43", "N"), ("1.029 - 21.609 J", "J"), ("86 N is 86 J", "N"),
+        ("F (left) = 86 N", "N"),
+        ("F (half) = 86 N", "N"), ("F (double) = 86 N", "N"), ("F (right) = 86 N", "N"), ("(F = 86 N) = 43", "N"), ("1.029 - 21.609 J", "J"), ("86 N is 86 J", "N"),
         ("3 Cal", "J"), ("3 1/min", "rad/s"), ("3 mhz", "Hz"), ("5 MOHM", "ohm"), ("20°", "K"), ("3 m + 4 s", "m"),
         ("3 m+4 s", "m"), ("1 min 2 h", "s"), ("a,b", "1"), ("86 N = 2F", "N"), ("86 N = m a", "N"), ("86 N = 96 N", "N"),
         ("not a right angle", "rad"), ("less than a right angle", "rad"), ("half a right angle", "rad"),
