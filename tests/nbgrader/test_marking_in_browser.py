@@ -6,8 +6,9 @@ import os
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -80,6 +81,11 @@ def formgrader(marked_course: Course, tmp_path: Path, jupyter) -> Iterator[str]:
         yield address
 
 
+def _saved(what: str) -> Callable[[Any], bool]:
+    """Whether a response is nbgrader's to a `grade` or a `comment` that the page has saved."""
+    return lambda response: f"/api/{what}/" in response.url and response.request.method == "PUT"
+
+
 def test_what_is_given_in_formgrader_is_in_the_report_at_once(
     formgrader: str, marked_course: Course, chromium
 ) -> None:
@@ -95,12 +101,14 @@ def test_what_is_given_in_formgrader_is_in_the_report_at_once(
     assert rubric in text, "the rubric stands by the answer"
     assert not re.search(r"\b(ada|ben|cyd|Lovelace|Boole)\b", text), "marking is anonymous"
     page.wait_for_load_state("networkidle")
-    page.fill("#X12_11_c", "1.5")
-    page.fill("#X12_11_c-comment", "Say more.")
-    page.keyboard.press("Tab")
+    with page.expect_response(_saved("grade")):
+        page.fill("#X12_11_c", "1.5")
+        page.keyboard.press("Tab")
+    with page.expect_response(_saved("comment")):
+        page.fill("#X12_11_c-comment", "Say more.")
+        page.keyboard.press("Tab")
     if folder := os.environ.get("COROLLARY_PICTURES"):
         page.screenshot(path=f"{folder}/formgrader.png", full_page=True)
-    page.wait_for_load_state("networkidle")
     page.close()
     found = run(marked_course, "corollary", "report", "words", "--course", ".", "--json").document
     assert sum(part["counts"]["by_hand"] for part in found["parts"]) == 1
