@@ -303,7 +303,7 @@ def _alone(text: str, normalized: str, expected: Unit | None) -> Reading | Parse
         return twice
     if isinstance(found, ParseError) and found.status == "refused":
         worked = _worked(text, normalized, expected)
-        if not isinstance(worked, ParseError) or worked.choices:
+        if not isinstance(worked, ParseError) or (worked.choices and worked.position is None):
             return worked
     return found
 
