@@ -67,7 +67,7 @@ LABELLED = re.compile(
     rf"\s*(?P<name>{SYMBOL})\s*(?:\[(?P<squared>[^\[\]=]+)\]|\s\((?P<round>[^()=]+)\)|\s+in\s+(?P<led>[^=:]+?)|/\s*\(?(?P<below>[^()=:]+?)\)?)\s*[=:]\s*(?P<number>[-+−]?\s*[0-9.,]+(?:\s?(?:[eE]|[·*x×]\s?10\^?)[-+−]?[0-9]+)?)\s*"
 )
 IN_BRACKETS = re.compile(r"\s*[(\[](?P<equation>[^()\[\]=]+=[^()\[\]=]+)[)\]]\s*\.?\s*")  # `(F = 86 N)`
-ARROW = re.compile(rf"(?P<name>\s*{SYMBOL})\s*(?:→|⇒|[-=]>)\s*(?=[-+−]?[0-9.,])")  # `F → 86 N`
+ARROW = re.compile(rf"^(?P<name>\s*{SYMBOL})\s*(?:→|⇒|[-=]>)\s*(?=[-+−]?[0-9.,])")  # `F → 86 N`
 WORDS_BEHIND_NAME = re.compile(
     rf"(?P<name>\s*{SYMBOL})\s*\((?P<words>[A-Za-z ]+)\)(?=\s*=)"
 )  # `F (average) = 86 N`
@@ -131,16 +131,21 @@ def read_quantity(text: str, expected: Unit | None, question: Question | None = 
 
 def _rewrite(text: str) -> str:
     """Stage `rewrite`: TeX, signs of other alphabets, and motion in words, as a keyboard has them; a name behind a value before it."""
-    typed = motion_in_number(by_hand(text))
+    typed = _with_name_in_front(motion_in_number(by_hand(text)))
+    if typed != text:
+        trace.took("rewrite", text, typed)
+    return typed
+
+
+def _with_name_in_front(typed: str) -> str:
+    """An equation in brackets, behind an arrow, with words behind its name, or turned round, as `F = 86 N`."""
     if (whole := IN_BRACKETS.fullmatch(typed)) is not None:
         typed = whole["equation"]
-    typed = ARROW.sub(r"\g<name> = ", typed, count=1) if ARROW.match(typed) else typed
+    typed = ARROW.sub(r"\g<name> = ", typed)
     if (remark := WORDS_BEHIND_NAME.match(typed)) and UNCHANGING.issuperset(remark["words"].lower().split()):
         typed = remark["name"] + typed[remark.end() :]
     if (turned := NAME_BEHIND.fullmatch(typed)) and is_name(turned["name"]):
         typed = f"{turned['name']} = {turned['value']}"
-    if typed != text:
-        trace.took("rewrite", text, typed)
     return typed
 
 
