@@ -128,6 +128,7 @@ class Unclear:
 
     `readings` are what it could mean when it has several meanings: never guessed among, but where one of them is right a
     person is asked. `benefit`: they are so far apart (1,234 is 1.234 or 1234) that the right one is the one meant.
+    `sign_alone`: they differ in their sign, and words that name no direction leave it open.
     `near` are the words of a list that are nearly written: where one of them is right a person is asked, too.
     """
 
@@ -136,6 +137,7 @@ class Unclear:
     readings: tuple[Numbers | Formulas | Letter, ...] = ()
     benefit: bool = False
     near: tuple[Letter, ...] = ()
+    sign_alone: bool = False
 
 
 Answer = Numbers | Formulas | Entries | Letter | NamedForces | Chain | Prose | Blank | Unclear

@@ -20,7 +20,7 @@ LEAST_ASKED = re.compile(
     re.IGNORECASE,
 )
 GREATEST_ASKED = re.compile(
-    r"\b(?:at most|largest|greatest|biggest|fastest|highest|longest|maxim\w*|höchstens|größt\w*|höchst\w*|størst\w*|høyest\w*|høyst\w*)\b(?! point)",
+    r"\b(?:at most|the most|largest|greatest|biggest|fastest|highest|longest|maxim\w*|höchstens|größt\w*|höchst\w*|størst\w*|høyest\w*|høyst\w*)\b(?! point)",
     re.IGNORECASE,
 )
 QUESTIONS = re.compile(r"[^.!?]*\?")

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from itertools import pairwise
 
+from corollary.answers.left_side import gives_what_is_asked
 from corollary.answers.name import is_name, is_talk
 from corollary.answers.preamble import Bare, answer_in
 from corollary.answers.question import Question
@@ -44,6 +46,7 @@ MARKS = (
     r",",
     r"(?<=[0-9.])\s+(?=[+\-]?[0-9])",
     r"\s+(?=[^\W\d]\w{0,7}['*]?\s*[=≈]\s*[-+]?[0-9.,])",  # `K1=3 K2=4`
+    r"\.\s+(?=[^\W\d])",  # `The sphere: 3 m/s. The block: 4 m/s.`
 )
 LED = re.compile(r"\s*[=≈~]\s*|\s*(?:[Δ∆]\s*)?[^\W\d][^\s=≈~()\[\],;:+*/-]{0,7}\s*[=≈~]\s*(?=[(\[<{⟨])")
 LEFT = re.compile(r"\s*[(\[<{]([^()\[\]<>{}=≈]*)[)\]>}]\s*[=≈]\s*(?=[(\[<{⟨])")
@@ -58,7 +61,13 @@ TRANSPOSED = re.compile(r"(?<=[)\]])\s*(?:\^\s*(?:T|\{T\}|\(T\))|ᵀ|\.T)(?=\s|$
 FACTOR = re.compile(r"[-+]|[-+]?[0-9.]+(?:\s*[A-Za-z][^()=:,;]*)?\s*\*|[-+]?[0-9.]+")
 UNIT_AND_NUMBER = re.compile(r"(?<=[A-Za-z²³°%])\s+(?=[-+]?[0-9.])")
 NUMBER_AND_UNIT = re.compile(r"[-+]?[0-9]*[.,]?[0-9]+\s*(?P<unit>[A-Za-zµΩ°%][^\s,;]*)")
-IN_SLASHES = re.compile(r"\s*([-+]?[0-9]+(?:,[0-9]+)?)\s*/\s*([-+]?[0-9]+(?:,[0-9]+)?)\s*")
+IN_SLASHES = re.compile(r"\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*/\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*")
+BARE_AXES = re.compile(  # `7.5x - 10y`
+    r"\s*(?P<first>[-+]?\s*[0-9.,]+)\s?\*?\s?x\s*(?P<second>[-+]\s*[0-9.,]+)\s?\*?\s?y(?P<third>\s*[-+]\s*[0-9.,]+\s?\*?\s?z)?\s*"
+)
+SCALED = re.compile(
+    r"(?P<factor>[-+]?[0-9.,]+)(?:\s*[A-Za-z][A-Za-z/^0-9]*)?\s*[*·]?\s*\((?P<inside>[^()]*)\)(?:\s*[A-Za-z][A-Za-z/^0-9 ]*)?"
+)
 
 
 def are_axes(names: Sequence[str]) -> bool:
@@ -90,6 +99,8 @@ def pieces_of(
     if count > 1 and (alone := _each_in_brackets(normalized)) is not None and len(alone) == count:
         return _in_order([labelled(piece, names) for piece in alone], names, question)
     inside, unit, factor = _unwrapped(TRANSPOSED.sub("", normalized))
+    if question is None or not {"x", "y"} & set(question.symbol_names):
+        inside = _with_unit_vectors(inside)
     along = [found for found in ALONG.finditer(inside) if _axis(found) < count]
     if along and (not names or are_axes(names)):  # in a plane k is no direction, but may be a letter
         return _directed(inside, unit, count)
@@ -106,6 +117,16 @@ def pieces_of(
     )
 
 
+def _with_unit_vectors(inside: str) -> str:
+    """`7.5x - 10y` as `7.5 i - 10 j`: letters of axes as unit vectors."""
+    found = BARE_AXES.match(inside)
+    if found is None:
+        return inside
+    third = (found["third"] or "").rstrip("z* ")
+    written = f"{found['first']} i {found['second']} j{third}{' k' if third else ''}"
+    return written + (f" {inside[found.end() :]}" if found.end() < len(inside) else "")
+
+
 def _each_in_brackets(text: str) -> list[str] | None:
     """The components of `(1.66 m/s) and (7.84 m/s)`."""
     if GROUPS.fullmatch(text) is None:
@@ -114,11 +135,11 @@ def _each_in_brackets(text: str) -> list[str] | None:
 
 
 def _slashed(inside: str) -> list[str] | ParseError | None:
-    """The components of `(1,5/2,5)`; of `(0/1,6)` it is asked whether the slash or the comma parts them."""
+    """The components of `(1,5/2,5)`, `7.5/-10`; of `(0/1,6)` it is asked whether the slash or the comma parts them."""
     found = IN_SLASHES.fullmatch(inside)
-    if found is None or "," not in inside:
+    if found is None:
         return None
-    if inside.count(",") == 2:
+    if inside.count(",") != 1:
         return [found[1], found[2]]
     choices = f"({found[1]}; {found[2]})", f"({inside.strip().replace(',', '; ')})"
     return ambiguous(_("the slash or the comma can part the components"), 0, *choices)
@@ -294,7 +315,11 @@ def _in_order(pieces: list[str], names: Sequence[str], question: Question | None
             return ParseError("asked", why, None, _("write them as (3; 4) m/s"))
         if place is None:
             return pieces
-        if (label := NAMED.match(piece)) and not is_name(label["name"], question):
+        if (
+            (label := NAMED.match(piece))
+            and label["name"] not in names
+            and not is_name(label["name"], question)
+        ):
             return _no_name(label["name"])
         if place in placed:
             return refused(_("{component} is given twice", component=names[place]))
@@ -421,15 +446,41 @@ def without_preamble(normalized: str) -> Bare:
 
 
 def unread_side(
-    sides: Sequence[str], names: Sequence[str], question: Question | None = None
+    sides: Sequence[str], names: Sequence[str], question: Question | None = None, last: str = ""
 ) -> ParseError | None:
-    """What is asked about a left side of a vector that is no name of it: `-p = (3; 4)`, `|p| = (3; 4)`."""
+    """What is asked about a left side of a vector that is no name of it: `-p = (3; 4)`, `|p| = (3; 4)`. A formula of the question's
+    kind is none of those, nor a multiple of a vector that comes to the `last` side, as `2*(3, 4) = (6, 8)`."""
     for side in sides:
+        if _comes_to(side, last) or (question is not None and _is_formula(side, question)):
+            continue
         size = side.strip().startswith("|")
         named = is_name(side, question) or is_talk(side, question)
         if size or not (named or place_named(f"{side} = ", names) is not None):
             return _no_name(side.strip())
     return None
+
+
+def _comes_to(side: str, last: str) -> bool:
+    """True for a multiple of a vector in numbers whose components are those of the last side."""
+    scaled = SCALED.fullmatch(side.strip())
+    if scaled is None:
+        return False
+    factor = scan_number(scaled["factor"])
+    inside = [scan_number(piece.strip()) for piece in re.split(r"[;,]", scaled["inside"])]
+    behind = [scan_number(piece) for piece in re.findall(r"[-+]?[0-9.]*[0-9]", last)]
+    if isinstance(factor, ParseError) or len(inside) != len(behind):
+        return False
+    return all(
+        not isinstance(one, ParseError)
+        and not isinstance(other, ParseError)
+        and math.isclose(float(factor[0].value * one[0].value), float(other[0].value), rel_tol=0.01)
+        for one, other in zip(inside, behind, strict=True)
+    )
+
+
+def _is_formula(side: str, question: Question) -> bool:
+    """True for a product or a quotient in customary letters of what is asked for: `p/m` where a velocity is."""
+    return gives_what_is_asked(side, question.unit.dimension, question) is not False
 
 
 def _no_name(side: str) -> ParseError:

@@ -8,12 +8,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
+from corollary.answers.bound import QUESTIONS
 from corollary.answers.left_side import CHANGE
 from corollary.answers.motion_words import way_behind
 from corollary.answers.positive_direction import REFERENCE_LINE, line_of, sign_of_way, sign_of_words
-from corollary.answers.preamble import reason_in, without_reason
+from corollary.answers.preamble import OF_A_SIGN, reason_in, ways_before, without_reason
 from corollary.answers.question import Question
-from corollary.answers.remark import remark_in
+from corollary.answers.remark import HARMLESS, remark_in
 from corollary.answers.sign_words import AXIS_OF, SIGNS
 from corollary.formula.ast import Negative
 from corollary.formula.value import Text, Value
@@ -43,7 +44,8 @@ VERB = re.compile(
 OF_ENERGY = re.compile(rf"\s+(?:of|in)\s+{WHAT}\s*$", re.IGNORECASE)
 BEHIND = re.compile(
     rf"(?<=[A-Za-z0-9²)%])[\s,;(]+(?:(?:{WHAT}|is|are|was|were|has|have|been|gets?|got|a|geht|gehen|ging|gingen|går|gikk|er)\s+)*"
-    rf"(?P<word>{WORDS})(?:\s+(?:{WHAT}|(?:to|as|into) (?:heat|friction|sound)))?\)?\.?\s*$",
+    rf"(?P<word>{WORDS})(?:\s+(?:{WHAT}|(?:to|as|into) (?:heat|friction|sound)"
+    r"|than (?:before|at first|initially|in the beginning|at the (?:start|beginning)|vorher|zuvor|før)))?\)?\.?\s*$",
     re.IGNORECASE,
 )
 INTO_HEAT = re.compile(
@@ -85,7 +87,7 @@ def gain_in(text: str, question: Question) -> Gain | None:
         return None
     word = found["word"].lower()
     sign = 1 if word in GAINS.split() else -1
-    if ASKED_AS_LOSS.search(question.title):
+    if ASKED_AS_LOSS.search(f"{question.title} {' '.join(QUESTIONS.findall(question.text))}"):
         sign = -sign
     without = OF_ENERGY.sub("", text[: found.start()] + text[found.end() :])
     return Gain(
@@ -143,6 +145,8 @@ TWO_WAYS = re.compile(  # `(positive, up)`
     re.IGNORECASE,
 )
 # `301 kg left`: what is asked for has no direction.
+ANOTHER_SIDE: str = "front opposite other against wrong below above under less more lost gained before half twice each per left down back"
+CONTRARY = frozenset(ANOTHER_SIDE.split())
 LEFT_OVER = re.compile(
     r"(?<=[A-Za-z%])(?<!\bthe)\s+(?:(?:is|are|was|were) )?(?:left(?: over)?|remaining)\.?\s*$", re.IGNORECASE
 )
@@ -152,6 +156,14 @@ SIZE = re.compile(
 )
 REFERENCE_BEHIND = re.compile(
     rf"[\s,;(]+(?:measured |counted )?{REFERENCE_LINE.pattern}\)?\.?\s*$", re.IGNORECASE
+)
+
+
+# `0.8 m/s to the left, i.e. -0.8 m/s`, `9.9 m/s, which is about 36 km/h`: one value, said twice.
+SAID_AGAIN = re.compile(
+    r"(?P<first>[^=]*?[0-9][^=]*?)(?:\s*\(\s*(?:that is|i\.e\.,?|or|which is)\s+|[,;]?\s+(?:i\.e\.,?|that is,?|which is|which means|so|hence|thus|das sind|dvs\.?)\s+)"
+    r"(?:about |approximately |the (?:force|velocity|momentum) is )?(?:[^\W\d_]\w{0,3}\s*=\s*)?(?P<second>[-+−]?\s?[0-9.,]+[^,;()=]*?)\s*\)?\.?\s*",
+    re.IGNORECASE,
 )
 
 
@@ -195,6 +207,12 @@ def with_direction(
     """
     if not isinstance(value, Text) or len(value.text) > LONGEST:
         return read(value)
+    if (again := SAID_AGAIN.fullmatch(value.text)) is not None:
+        said = [
+            with_direction(Text(each), question, read, component) for each in again.group("first", "second")
+        ]
+        if (one := _one_value(*said)) is not None:
+            return one
     value = Text(without_reason(value.text))
     if not directed(question) and (rest := LEFT_OVER.search(value.text)):
         value = Text(value.text[: rest.start()])
@@ -218,11 +236,27 @@ def with_direction(
     answer = read(value if found is None else Text(found.text))
     if found is None or _is_unread(answer):  # `-0.4 m/s (so I move backwards)`
         remarked = _remarked(value.text, answer, question, read, component) if _is_unread(answer) else answer
+        if _is_unread(remarked) and not component and (led := ways_before(value.text)) is not None:
+            signs = {sign_of_way(way, question.positive) for way in led.ways}
+            behind = read(Text(led.text))
+            if len(signs) == 1 and not _has_minus(behind):
+                return _signed(behind, signs.pop(), " ".join(led.ways)) if directed(question) else behind
         if found is None or not _is_unread(remarked):
             return remarked
     if found.sign is None or (_has_minus(answer) and not EXPLAINS.match(text.removeprefix(found.text))):
         return _either(answer, found.words)
     return _signed(answer, found.sign, found.words)
+
+
+def _one_value(first: Answer, second: Answer) -> Answer | None:
+    """What two sayings of one value come to: the second, where their sizes agree and no sign contradicts; else None."""
+    match first, second:
+        case (Numbers((one,)) | Unclear(readings=(Numbers((one,)), *_)), Numbers((other,))):
+            same = math.isclose(abs(one), abs(other), rel_tol=0.01)
+            clashes = isinstance(first, Numbers) and (first.in_words or one < 0) and one * other < 0
+            return second if same and not clashes and not (second.misfit or second.missing) else None
+        case _:
+            return None
 
 
 def _has_minus(answer: Answer) -> bool:
@@ -250,10 +284,12 @@ def _remarked(
         text
     ):  # an axis that the answer does not have turns nothing, and is not passed over
         return unread
+    if not (directed(question) or _has_place(question)) and SIGNS.keys() & set(remark.words.lower().split()):
+        return unread
     answer = with_direction(Text(remark.text), question, read, component)
     if _is_unread(answer) or isinstance(answer, Blank):
         return unread
-    if remark.harmless or not isinstance(answer, Numbers):
+    if remark.harmless or not isinstance(answer, Numbers) or _repeats(remark.words, question):
         return answer
     # The sign may be given in words: `85.3 J lost by the block and gained by the bullet`.
     if answer.values[0] <= 0 and not answer.in_words:
@@ -262,7 +298,31 @@ def _remarked(
         "\u201c{words}\u201d beside the number may be a sign; write the number alone, with its sign",
         words=remark.words,
     )
-    return _two_ways(answer, remark.words, why)
+    return _two_ways(answer, remark.words, why, sign_alone=not _is_contrary(remark.words, question))
+
+
+def _has_place(question: Question) -> bool:
+    """True for a length or an angle, which has no direction itself but may lie to the left."""
+    return question.unit.is_angle or question.unit.dimension == unit("m").dimension
+
+
+def _repeats(words: str, question: Question) -> bool:
+    """True for words of the question itself beside what has no direction: `56 cm behind the mirror`, where just that is asked."""
+    said = {word.lower() for word in re.findall(r"[^\W\d_]+", words)}
+    known = {word.lower() for word in re.findall(r"[^\W\d_]+", f"{question.title} {question.text}")}
+    return (
+        not directed(question)
+        and not said & SIGNS.keys()
+        and not OF_A_SIGN.search(words)
+        and said <= known | HARMLESS
+    )
+
+
+def _is_contrary(words: str, question: Question) -> bool:
+    """True where words may name the other side of what is asked for, and are not the question's own."""
+    said = {word.lower() for word in re.findall(r"[^\W\d_]+", words)}
+    known = {word.lower() for word in re.findall(r"[^\W\d_]+", question.text)}
+    return bool((said & CONTRARY) - known)
 
 
 def _is_unread(answer: Answer) -> bool:
@@ -396,10 +456,11 @@ def _either(answer: Answer, words: str) -> Answer:
     return _two_ways(answer, words, why)
 
 
-def _two_ways(answer: Answer, words: str, why: str) -> Answer:
+def _two_ways(answer: Answer, words: str, why: str, *, sign_alone: bool = False) -> Answer:
     """A number that words beside it may turn, with either sign."""
     match answer:
         case Numbers((value,)) if value:
-            return Unclear(why, f"{answer.as_read} {words}", (answer, replace(answer, values=(-value,))))
+            either = (answer, replace(answer, values=(-value,)))
+            return Unclear(why, f"{answer.as_read} {words}", either, sign_alone=sign_alone and value > 0)
         case _:
             return answer

@@ -10,6 +10,10 @@ NO: str = "not never neither nobody longer nicht kein nie ikke aldri ingen"
 DENIED = "".join(rf"(?<!\b{word} )" for word in NO.split()) + r"(?<!n['’]t )"
 DENIAL = re.compile(rf"\b(?:{'|'.join(NO.split())})\b|n['’]t\b", re.IGNORECASE)
 VERB = r"\b(?:is|are|was|be|stays?|remains?|keeps|comes? to|came to|comes|lies|has|gets|ist|sind|bleibt|bleiben|kommt|liegt|hat|er|blir|kommer|ligger|har)\s+"
+NOTHING = re.compile(  # `nothing along x`, `no force in y`
+    r"(?<![^\W_])(?:nothing|none|zero|no (?:force|momentum|velocity|impulse|component|motion|change)) (?P<where>(?:along|in) (?:the )?[xyz]\b)",
+    re.IGNORECASE,
+)
 STILL = (  # in English, German and Norwegian
     "at rest|to rest|stationary|motionless|zero velocity|no velocity|zero speed|stopped|in Ruhe|zur Ruhe|stehen|liegen|i ro|til ro|stille"
 )
@@ -52,7 +56,7 @@ MOVES = re.compile(
 
 def motion_in_numbers(text: str) -> str:
     """The components of several bodies: `A stops, B moves at 4 m/s` as `A 0, B = 4 m/s`."""
-    return MOVES.sub(" = ", way_behind(REST.sub(_zero, text)))
+    return MOVES.sub(" = ", way_behind(REST.sub(_zero, NOTHING.sub("0 \\g<where>", text))))
 
 
 def way_behind(text: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 from typing import NamedTuple
 
 from corollary.answers import trace
@@ -10,6 +11,8 @@ from corollary.answers.name import OF_CHANGE, SYMBOL
 from corollary.answers.number_words import NUMBERS
 from corollary.answers.remark import BECAUSE, DENIED, HARMLESS
 from corollary.answers.sign_words import SIGNS
+from corollary.formula.abbreviations import function_words
+from corollary.units.unit import Unit, read_unit
 
 QUOTES = "\"'“”„‟«»‹›`*_"  # also those of Markdown
 ABOUT = (  # in English, and as German, French and Nordic students say
@@ -18,7 +21,7 @@ ABOUT = (  # in English, and as German, French and Nordic students say
 TALK = (
     "the it its this that is was are be becomes equals answer ans. ans result value so thus hence therefore we get of in by to with momentum "
     "velocity speed force impulse energy height angle distance work power change changes average mean total net kinetic final common "
-    "he she they still again "
+    "he she they still again then "
     "der die das den dem er sie es ist sind wird beträgt betragen um mit von antwort ergebnis lösung impuls impulsänderung kraftstoß änderung ändert "
     "sich geschwindigkeit kraft mittlere mittleren durchschnittliche energie höhe winkel betrag "
     "det blir ble er svaret svar på med bevegelsesmengden bevegelsesmengde endringen endring endres impulsen farten fart hastigheten kraften "
@@ -37,6 +40,28 @@ SENTENCE = re.compile(
     rf"(?:(?:{WITHOUT_CHANGE})\s+){{1,12}}(?:(?:is|was|equals|ist|war|beträgt|er|var)\s+|(?:{WITHOUT_CHANGE}):\s*)(?=[-+]?[0-9.,√(])"
     r"|it['’]s\s+(?=[-+]?[0-9.,√(])",
     re.IGNORECASE,
+)
+# A clause of words that ends with a mark or a verb: `twice as much: 172 N`, `perpendicular to the wall, 90°`, `I calculated 172 N`.
+CLAUSE = re.compile(
+    r"(?P<words>(?:[0-9]+ times|[^\W\d_]+['’]?[^\W\d_]*)(?:,?[ -][^\W\d_]+['’]?[^\W\d_]*){0,16})"
+    r"(?:\s*(?P<mark>[:;,.])\s+(?:(?:and\s+)?(?:so|thus|hence|therefore|that is|i\.e\.|namely|at|by|about|also|damit|altså)\s+)?|(?P<colon>:)|\s+)"
+    r"(?=(?P<signed>[-−])?[+≈~]?\s*(?:[0-9]|[.,][0-9]|√))"
+)
+TIMES_AS = re.compile(r"\b\w+ times\b")
+AS_BEFORE = re.compile(r"\bas \w+ (?:as before|again)\b")
+CONCLUDING = re.compile(r", (?:and )?(?:so|thus|hence|therefore|damit|also|altså) ", re.IGNORECASE)
+CONCLUDES = re.compile(r", (?:and )?(?:so|thus|hence|therefore|namely|also|damit|altså)$", re.IGNORECASE)
+RIGHT_ANGLE = re.compile(r"\bright angles?\b", re.IGNORECASE)
+RATIO_WORDS: str = "half third quarter twice double doubled triple thrice halb halbe doppelt doppelte halv halve dobbel dobbelt times much"
+# What makes another value of the number behind it, or leaves open which one is meant.
+TURNING: str = (
+    "if unless except either both per each every and or oder eller und og between than least most more less minimum maximum above below over "
+    "under until from error uncertainty before initial initially previous previously earlier first old vorher før wenn hvis pro "
+    "second third other another last next each lost lose loses losing gained gain gains increases increased decreases decreased reduced toward towards away against"
+)
+WAYS = frozenset(["toward", "towards", "away", "against", "opposite", "lost", "loses", *SIGNS])
+TURNED = (
+    (OF_CHANGE - set(RATIO_WORDS.split())) | set(TURNING.split()) | SIGNS.keys() | (NUMBERS.keys() - {"one"})
 )
 LABEL = re.compile(r"[a-z][0-9]?\)\s+|\([a-z][0-9]?\)\s*(?=[-+≈=~]?\s*[0-9.,√])")
 NAME = rf"{SYMBOL}|\|{SYMBOL}\||<{SYMBOL}>"
@@ -102,6 +127,13 @@ OF_A_SIGN = re.compile(
 )
 
 
+class WaysBefore(NamedTuple):
+    """A text without the words before its number, and those of them that name a direction."""
+
+    text: str
+    ways: tuple[str, ...]
+
+
 class Bare(NamedTuple):
     """An answer without talk: its text, how many signs stood before it, and the sides before its last equals sign."""
 
@@ -110,10 +142,11 @@ class Bare(NamedTuple):
     sides: tuple[str, ...]
 
 
-def answer_in(normalized: str, *, in_letters: bool = False) -> Bare:
+def answer_in(normalized: str, *, in_letters: bool = False, in_a_sentence: bool = False) -> Bare:
     """Return the answer itself in a text translated by TO_ASCII (of bounded length).
 
-    `in_letters`: it is a formula, behind which `!` is a factorial and never talk.
+    `in_letters`: it is a formula, behind which `!` is a factorial and never talk. `in_a_sentence`: any words may stand before it
+    that do not change it.
     """
     unreasoned = without_reason(normalized)
     found = GRAVITY.search(unreasoned)
@@ -133,7 +166,7 @@ def answer_in(normalized: str, *, in_letters: bool = False) -> Bare:
             trace.took("strip_preamble", text[0] + text[-1], text[1:-1])
             text, before = text[1:-1], before + 1
             continue
-        skipped, found_sides = _skipped(text)
+        skipped, found_sides = _skipped(text, in_a_sentence)
         if skipped == 0:
             return Bare(_with_minus(text), before, tuple(sides))
         sides += found_sides
@@ -155,20 +188,70 @@ def without_reason(text: str) -> str:
     return text[: found.start()]
 
 
-def _skipped(text: str) -> tuple[int, list[str]]:
+def _skipped(text: str, in_a_sentence: bool) -> tuple[int, list[str]]:
     """How much of the text leads up to the answer, 0 when nothing does; and the sides in it."""
     blank = len(text) - len(text.lstrip())
     if 0 < blank < len(text):
         return blank, []
     if MINUS.match(text):
         return 0, []
+    if in_a_sentence and (clause := _clause(text))[0]:
+        return clause
     for lead in LEADING:
         if (found := lead.match(text)) and found.end() < len(text):
             return found.end(), []
     for name in LEFT_NAMES:
-        if (found := name.match(text)) and found.end() < len(text):
+        if (found := name.match(text)) and found.end() < len(text) and not _is_unit(found["side"]):
             return found.end(), [found["side"]]
     return _last_side(text)
+
+
+def _clause(text: str) -> tuple[int, list[str]]:
+    """The end of a clause of words before a number that none of them changes; 0 where there is no such clause."""
+    found = CLAUSE.match(text)
+    if found is None:
+        return 0, []
+    concluded = None
+    marked = bool(found["mark"] or found["colon"] or CONCLUDES.search(found["words"]))
+    words = RIGHT_ANGLE.sub("angle", found["words"]).replace(",", " ").split()
+    small = [part for word in words for part in word.lower().split("-")]
+    if not marked and (concluded := CONCLUDING.search(found["words"])):
+        small = found["words"][concluded.end() :].lower().split()  # `it is twice that, so the force is 3 N`
+    changed = TURNED if marked else TURNED | OF_CHANGE
+    if found["signed"] and (marked or concluded):
+        changed = changed - WAYS  # `it is pushed backwards, so -3 N`
+    plain = AS_BEFORE.sub("", " ".join(small))
+    small = (TIMES_AS.sub("", plain) if marked else plain).split()
+    ratios = RATIO_WORDS.split() if marked else ()
+    if (
+        changed.intersection(small)
+        or DENIED.search(" ".join(word for word in small if word not in ratios))
+        or any(len(word) == 1 and word.isupper() and word not in "AI" for word in words)
+        or not any(len(word) > 3 for word in words)
+        or any(_is_unit(word) for word in (words if len(words) < 3 else words[-1:] if not marked else ()))
+        or any(_is_unit(word) for before, word in pairwise(small) if before in ("in", "unit", "units"))
+        or function_words().keys() & set(words)
+    ):
+        return 0, []
+    return found.end(), []
+
+
+def ways_before(text: str) -> WaysBefore | None:
+    """A number without the clause before it that names its direction: `it flies back to the left at 9 m/s`."""
+    found = CLAUSE.match(text.lstrip())
+    ways = tuple(word for word in found["words"].lower().split() if word in SIGNS) if found else ()
+    if found is None or not ways or not (found["mark"] or found["words"].lower().endswith((" at", " with", " by"))):
+        return None
+    rest = " ".join(word for word in found["words"].split() if word.lower() not in SIGNS)
+    plain = f"{rest or 'that'} is {text.lstrip()[found.end() :]}"
+    end, _sides = _clause(plain) if rest else (8, [])
+    return WaysBefore(text.lstrip()[found.end() :], ways) if end else None
+
+
+def _is_unit(word: str) -> bool:
+    """True for a unit spelt out, or a symbol of three letters or more: `in kilonewtons: 172`."""
+    found = read_unit(word) if len(word) > 2 else None
+    return isinstance(found, Unit) and "*" not in found.text  # `must` is no m us t
 
 
 def _last_side(text: str) -> tuple[int, list[str]]:

@@ -71,8 +71,17 @@ ARROW = re.compile(rf"^(?P<name>\s*{SYMBOL})\s*(?:→|⇒|[-=]>)\s*(?=[-+−]?[0
 WORDS_BEHIND_NAME = re.compile(
     rf"(?P<name>\s*{SYMBOL})\s*\((?P<words>[A-Za-z ]+)\)(?=\s*=)"
 )  # `F (average) = 86 N`
+SHARE_OF = re.compile(r"(?<=[0-9])(\s*%)\s+of\s+(?=[0-9])")  # `65 % of 20 cm`
+OF_THAT = re.compile(
+    r"(?<=[0-9])(?P<unit>\s*(?:%|percent))?\s+(?:of (?:it|that|this|them)|more or less|or so)\s*$",
+    re.IGNORECASE,
+)
 GLUED = re.compile(r"(?<=[A-Za-z²³°%])([+-])(?=[0-9.,]+\s*[A-Za-zµ°%])")
-PIECE = re.compile(r"([0-9]+(?:[.,][0-9]+)?)\s*(°|[A-Za-zµ]+)")
+PIECE = re.compile(r"([0-9]+(?:[.,][0-9]+)?)\s*(°|[A-Za-zµ]+)\.?,?")
+CLOCK = re.compile(
+    r"\s*(?P<large>[0-9]{1,4}):(?P<small>[0-5][0-9])\s*(?P<unit>min|minutes|h|hours)\.?\s*"
+)  # `4:06 min`
+MINUTES = re.compile(r"\s*([0-9]+)\s?(?:m|')\s?([0-9]+(?:[.,][0-9]+)?)\s?(?:s|''|\")\s*")  # `4m 6s`
 SEVERAL = re.compile(
     rf"\s*[-+]?(?:{PIECE.pattern}(?:\s+|(?=[0-9]))(?:and\s+|und\s+|og\s+)?)+{PIECE.pattern}\.?\s*"
 )
@@ -108,9 +117,9 @@ def read_quantity(text: str, expected: Unit | None, question: Question | None = 
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
     typed = _with_label_behind(_rewrite(text), expected, question)
-    normalized, skipped, sides = answer_in(
-        typed.translate(TO_ASCII)
-    )  # split_remark, strip_preamble, solve_left_side
+    normalized, skipped, sides = answer_in(  # split_remark, strip_preamble, solve_left_side
+        typed.translate(TO_ASCII), in_a_sentence=question is not None and not question.components
+    )
     rewritten = text != typed
     if (doubt := doubtful(typed, normalized)) is not None:
         return _placed(doubt, skipped, rewritten=rewritten)
@@ -216,8 +225,10 @@ def _beside_sides(
     for side in open_sides:
         value = _number_and_unit(side, side, expected)
         if isinstance(value, ParseError):
-            value = _worked(side, side, expected)
-        if isinstance(value, ParseError) or (value.fit == "wrong dimension" and solvable(side, question)):
+            value = _worked(side, SHARE_OF.sub(r"\1*", side), expected)
+        if isinstance(value, ParseError) or (
+            value.fit == "wrong dimension" and _has_letters(side, expected, question)
+        ):
             unread.append(side)
         elif not _agree(value, last):
             why = _("{one} and {other} are not the same", one=value.as_read, other=last.as_read)
@@ -239,6 +250,13 @@ def _beside_sides(
     if any(stand_for_it):
         return tuple(each for each in stand_for_it if not isinstance(each, bool))
     return _asked_about(unread[0], last, wanted, question)
+
+
+def _has_letters(side: str, expected: Unit | None, question: Question | None) -> bool:
+    """True for a side whose letters are no units: one letter to solve for, or a formula of what is asked for, `sqrt(2 g L)`."""
+    if solvable(side, question):
+        return True
+    return expected is not None and gives_what_is_asked(side, expected.dimension, question) is not False
 
 
 def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | None) -> ParseError:
@@ -315,6 +333,8 @@ def _alone(text: str, normalized: str, expected: Unit | None) -> Reading | Parse
 
 def _in_several_units(text: str, normalized: str, expected: Unit | None) -> Reading | None:
     """The sum of `1 h 30 min`, `5 ft 3 in`, `1 m 20 cm`: each unit smaller than the one before, and each number less than what fills it."""
+    if expected is not None and expected.dimension == UNITS["s"].dimension:
+        normalized = CLOCK.sub(_of_a_clock, MINUTES.sub(r"\1 min \2 s", normalized))
     found = SEVERAL.fullmatch(normalized)
     pieces = PIECE.findall(normalized) if found else []
     if len(pieces) < 2:
@@ -347,6 +367,12 @@ def _in_several_units(text: str, normalized: str, expected: Unit | None) -> Read
     as_read = ("-" if sign < 0 else "") + " ".join(f"{number} {unit}" for number, unit in pieces)
     read = _reading(text, Written(value, figures, figures), first, expected)
     return replace(read, as_read=as_read) if isinstance(read, Reading) else None
+
+
+def _of_a_clock(found: re.Match[str]) -> str:
+    """`4:06 min` as `4 min 06 s`."""
+    units = ("min", "s") if found["unit"].startswith("min") else ("h", "min")
+    return f"{found['large']} {units[0]} {found['small']} {units[1]}"
 
 
 def _is_small(spread: str, found: Reading) -> bool:
@@ -388,6 +414,7 @@ def _same_twice(normalized: str, expected: Unit | None) -> Reading | ParseError 
 
 
 def _number_and_unit(text: str, normalized: str, expected: Unit | None) -> Reading | ParseError:
+    normalized = OF_THAT.sub(lambda found: found["unit"] or "", normalized)
     found = scan_number(normalized)
     if isinstance(found, ParseError):
         return found
@@ -495,7 +522,7 @@ def components_in(
         return refused(_("a table is not read here"), None, _("write the components as (3; 4) m/s"))
     typed = motion_in_numbers(by_hand(in_one_line(text, count)))
     normalized, skipped, sides = without_preamble(typed.translate(TO_ASCII))
-    if (doubt := unread_side(sides, names, question)) is not None:
+    if (doubt := unread_side(sides, names, question, normalized)) is not None:
         return doubt
     if count == 2 and (both := BOTH_SIGNS.fullmatch(normalized)) is not None:  # `150° ± 90°`
         middle, half = both["middle"], both["half"]

@@ -29,7 +29,8 @@ class Question:
     function, `force(t, dt)`; `symbols` are the givens of the problem; `slope` is the angle that directions along a slope turn by;
     `rows` and `columns` are the labels of a table, `column_units` the units of its columns, where they are not all `unit`;
     `ratio` is the sentence that says what is asked over what; `extreme` tells that a least or a greatest value is asked for;
-    `positive` is the positive direction in the problem's words, `reference` is from what it counts an angle.
+    `positive` is the positive direction in the problem's words, `reference` is from what it counts an angle; `text` is
+    that of the part.
     """
 
     part: str
@@ -50,6 +51,7 @@ class Question:
     reference: str = ""
     ratio: str = ""
     extreme: Extreme = ""
+    text: str = ""
 
     @property
     def function(self) -> str:
@@ -91,6 +93,7 @@ class Question:
             "reference": self.reference,
             "ratio": self.ratio,
             "extreme": self.extreme,
+            "text": self.text,
             "symbols": [(symbol.name, symbol.unit.text, symbol.meaning) for symbol in self.symbols],
         }
 
@@ -117,4 +120,5 @@ class Question:
             data["reference"],
             data["ratio"],
             data["extreme"],
+            data["text"],
         )

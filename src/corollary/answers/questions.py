@@ -42,6 +42,7 @@ def question_of(problem: Problem, part: Part) -> Question:
         angle_reference(problem.statement, f"{part.title} {part.text}"),
         part.text if part.answer_type == "value" and part.unit.bare else "",
         extreme_asked(part.title, part.text),
+        " ".join(part.text.split()),
     )
 
 

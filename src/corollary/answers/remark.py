@@ -9,11 +9,13 @@ WORDS = r"[^0-9=<>≤≥]"
 BECAUSE = "because|since|due to|weil|fordi"  # lead the reason of any answer
 LEADS = (
     "is was ist er on in at when while just right before after including incl excluding without with because since due for from by which that and so as "
-    "above over below higher im bei beim mit ohne nach vor als wenn gegen i med uten etter før mot når"
+    "above over below "
+    "behind away upstream downstream under beneath inside outside later deep wide apart towards to along across between "
+    "higher im bei beim mit ohne nach vor als wenn gegen i med uten etter før mot når"
 )
 REMARK = re.compile(
-    rf"(?<=[^\W_]|[²³)°%½])(?:\s*\((?P<bracketed>(?!or\b){WORDS}{{3,80}})\)|\s*[,;]\s*(?P<apart>(?!or\b)[A-Za-z]{WORDS}{{2,80}})"
-    rf"|\s+(?P<led>(?:{'|'.join(LEADS.split())})\b[^0-9=<>≤≥,;]{{2,80}}|total|altogether|insgesamt|totalt|high|hoch|høyt))\.?\s*$",
+    rf"(?<=[^\W_]|[²³)°%½])(?:\s*\((?P<bracketed>(?!or\b){WORDS}{{3,80}})\)|\s*(?:[,;]|\.(?=\s))\s*(?P<apart>(?!or\b)[A-Za-z]{WORDS}{{2,80}})"
+    rf"|\s+(?P<led>(?:{'|'.join(LEADS.split())})\b[^0-9=<>≤≥,;]{{2,80}}|total|altogether|insgesamt|totalt|high|hoch|høyt|away|later|upstream|downstream|deep|wide|apart|inwards|outwards|inward|outward))\.?\s*$",
     re.IGNORECASE,
 )
 # Words that change neither the number nor its sign. Whatever else is said, a person reads.
@@ -25,6 +27,7 @@ NEUTRAL: str = (
     "bullet ball block car book wall body object person sphere rocket chain atom club racket track "
     "twice double much large same answer part result approximately approximation decimal rounded si unit units "
     "above over high hoch høyt higher than lowest point starting position table first second third bounce "
+    "perpendicular orthogonal total later molecules particles deep wide apart ray makes makes angle angles "
     "straight change axis direction x x-axis x-direction horizontal counterclockwise counter-clockwise anticlockwise measured relative "
     "im mittel mittelwert durchschnitt betrag insgesamt mit ohne gewicht vor nach dem der die das beim stoß aufprall kurz gerundet "
     "kugel klotz "

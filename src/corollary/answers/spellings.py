@@ -9,7 +9,12 @@ from dataclasses import dataclass
 
 MARK = "|"  # parts the ways to write one word; the first is the one that is printed
 ARTICLES = frozenset(["the", "a", "an", "der", "die", "das", "ein", "eine", "en", "et", "ei", "den", "det"])
-LONGEST = 80
+LONGEST, MOST_WORDS = 80, 8
+DENIALS: str = (
+    "not no never neither nor none nicht kein keine nie ikke ingen aldri or oder eller but rather than instead except unlike almost nearly like squashed "
+    "aber sondern men"
+)
+DENYING = frozenset(DENIALS.split())
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +53,19 @@ def words_met(text: str, words: Mapping[str, str]) -> WordsMet:
     return WordsMet(tuple(sorted(near, key=off.__getitem__)), exact=False)
 
 
+def word_held(text: str, words: Mapping[str, str]) -> str:
+    """The letter of the one word that stands in a text of a few words more, `part of an ellipse`, or that it begins, `against`; ""
+    where there is none, or two."""
+    typed = bare(text) if len(text) <= LONGEST else ""
+    ways = {letter: [bare(way) for way in word.split(MARK)] for letter, word in words.items()}
+    if not typed or len(typed.split()) > MOST_WORDS or DENYING.intersection(typed.split()):
+        return ""
+    inside = [letter for letter, each in ways.items() if any(f" {way} " in f" {typed} " for way in each)]
+    begun = [letter for letter, each in ways.items() if any(way.startswith(f"{typed} ") for way in each)]
+    found = inside or (begun if len(typed) > 4 else [])
+    return found[0] if len(found) == 1 else ""
+
+
 def bare(text: str) -> str:
     """Small letters and digits, without articles, accents and marks; umlauts as they are typed without them."""
     text = text.casefold().translate(
@@ -55,6 +73,7 @@ def bare(text: str) -> str:
     )
     apart = unicodedata.normalize("NFKD", text)
     words = re.sub(r"[^a-z0-9]+", " ", re.sub(r"[\u0300-\u036f]", "", apart)).split()
+    words = " ".join(words).replace("each other", "one another").split()
     return " ".join(word for word in words if word not in ARTICLES or len(words) == 1)
 
 

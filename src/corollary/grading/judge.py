@@ -173,7 +173,8 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
                     reason=f"{why[0].upper()}{why[1:]}.",
                 )
             )
-        case Unclear(why, _excerpt, readings, benefit):
+        case Unclear(why, _excerpt, readings, benefit, sign_alone=sign_alone):
+            benefit = benefit or (sign_alone and _has_no_sign(expected))
             verdicts = (verdict_on(name, each, expected) for each in readings)
             right = next((each for each in verdicts if isinstance(each, Right | Follows)), None)
             reason = _begun(f"{why}.", answer.as_read)
@@ -205,6 +206,13 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
             return judging(name).judge(answer, expected)
         case _:
             return judging(name).judge(answer, expected)
+
+
+def _has_no_sign(expected: Expected) -> bool:
+    """True of what is positive for all numbers, such as a mass or a distance: words beside it cannot turn it round."""
+    return (
+        expected.quantity is not None and bool(expected.quantity.signed) and not any(expected.quantity.signed)
+    )
 
 
 def _begun(sentence: str, typed: str) -> str:

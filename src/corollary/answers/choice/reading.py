@@ -9,6 +9,7 @@ from typing import final
 from corollary.answers.answer import Answer, Blank, Letter, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.choice.option_text import folded, normal_form
+from corollary.answers.choice.wording import option_worded
 from corollary.answers.numbers import PLACEHOLDERS, turned_away
 from corollary.answers.question import Question
 from corollary.answers.remark import BECAUSE
@@ -33,7 +34,7 @@ LETTER = re.compile(
 DENIED = re.compile(r"\s*!|.*[\s(\[\"']!(?=[(\[\"']*\w)", re.DOTALL)  # `!A` is any other; `A!` is A
 
 LABEL = re.compile(
-    r"\s*[\[(]?(?P<letter>[A-Za-z])(?:\s*[).:\]–-]+\s*(?=\S)|\s+(?=\())|\s*(?:option|answer)\s+(?P<word>[A-Za-z])\s*[).:,–-]*\s+",
+    r"\s*[\[(]?(?P<letter>[A-Za-z])(?:\s*[).:,;=\]–-]+\s*(?=\S)|\s+(?=\())|\s*(?:option|answer)\s+(?P<word>[A-Za-z])\s*[).:,–-]*\s+",
     re.IGNORECASE,
 )
 LABEL_BEHIND = re.compile(r"\s*[\[(](?P<letter>[A-Za-z])[\])]\s*$")
@@ -86,7 +87,7 @@ class ChoiceType(AnswerType):
                 found = LETTER.fullmatch(by_hand(_without_reason(text, question.options)).translate(TO_ASCII))
                 letter = found["letter"].lower() if found else ""
                 if letter not in question.options:
-                    return Letter(meant, f"({meant})") if meant else Unclear(wanted, text.strip()[:40])
+                    return Letter(meant, f"({meant})") if meant else _in_own_words(text, question, wanted)
                 if meant not in ("", letter) and _bare_letter(text, question, meant):
                     return _two_meanings(letter, meant)
                 return Letter(letter, f"({letter.upper()})")
@@ -94,6 +95,16 @@ class ChoiceType(AnswerType):
                 return turned_away(value)
             case _:
                 return Unclear(_("{wanted}, as text", wanted=wanted), _("no letter"))
+
+
+def _in_own_words(text: str, question: Question, wanted: str) -> Letter | Unclear:
+    """The option that a text means whose words are not copied; asked about where a word of it is none of the question's."""
+    options = dict(zip(question.options, question.option_texts, strict=True))
+    found = option_worded(text, options, f"{question.title} {question.text}")
+    meant = Letter(found.letter, f"({found.letter.upper()})")
+    if found.letter and found.sure:
+        return meant
+    return Unclear(wanted, text.strip()[:40], near=(meant,) if found.letter else ())
 
 
 def _without_reason(text: str, options: Sequence[str]) -> str:
@@ -129,9 +140,12 @@ def _by_its_words(text: str, question: Question) -> str | None:
     options = dict(zip(question.options, question.option_texts, strict=True))
     if label and letter in options:
         words = text[: label.start()] + text[label.end() :]
-        if _copied(words, options) not in ("", letter):
+        worded = option_worded(words, options, question.text)
+        meant = _copied(words, options) or (worded.letter if worded.sure else "")
+        if meant not in ("", letter):
             return None
-        return letter if normal_form(words) and folded(options[letter]).startswith(folded(words)) else ""
+        started = normal_form(words) and folded(options[letter]).startswith(folded(words))
+        return letter if started or meant else ""
     if same := _copied(text, options):
         return same
     starts = {

@@ -9,7 +9,7 @@ from corollary.answers.answer import Answer, Blank, Letter, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.numbers import PLACEHOLDERS, turned_away
 from corollary.answers.question import Question
-from corollary.answers.spellings import main_spelling, words_met
+from corollary.answers.spellings import main_spelling, word_held, words_met
 from corollary.formula.value import Items, Nothing, Refused, Text, Value
 from corollary.messages import catalogue
 
@@ -48,6 +48,8 @@ class WordType(AnswerType):
                 letters = [Letter(letter, main_spelling(words[letter])) for letter in found.letters]
                 if found.exact and len(letters) == 1:
                     return letters[0]
+                if held := word_held(text, words):
+                    return Letter(held, main_spelling(words[held]))
                 if not letters:
                     return Unclear(_("answer with one of these words: {words}", words=listed), typed)
                 near = _(" or ").join(f"\u201c{each.as_read}\u201d" for each in letters)

@@ -1,0 +1,150 @@
+"""Options named in a student's own words: `in the steeper wire` for *the steeper one*, `4 times as high` for *four times as large*."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from corollary.answers.number_words import NUMBERS
+from corollary.answers.remark import BECAUSE
+
+MOST_WORDS = 24
+# Words that mean nothing by themselves; of `as large as` and `four times as high` the number is what counts.
+FILLING: str = (
+    "the a an of to in on at for from by with its it is it's are was be been being as that this those these they them he she his her i we you my think "
+    "answer option then so than one ones will would should must can has have had do does did there here which what just only really because since "
+    "make makes making made get gets becomes become large high big great much heavy strong far many also now still must"
+)
+FILLERS = frozenset(FILLING.split())
+ONLY = frozenset({"only", "just"})  # `the momentum only`: left out where nothing else is meant
+# What turns an option round, or takes it back: it stands on both sides or on neither.
+TURNING: str = (
+    "not no never neither nor none nothing cannot without but except unless if or and while although yet opposite "
+    "nicht kein keine nie ikke ingen aldri oder eller und og"
+)
+TURNED = frozenset(TURNING.split())
+SAME_AS: dict[str, str] = {
+    "bigger": "larger", "greater": "larger", "higher": "larger", "increases": "larger", "lower": "smaller", "decreases": "smaller",
+    "quicker": "faster", "equal": "same", "equally": "same", "unchanged": "same", "identical": "same", "double": "twice", "doubled": "twice", "doubles": "twice",
+    "quarter": "1/4", "fourth": "1/4", "half": "1/2", "halved": "1/2", "third": "1/3", "eighth": "1/8", "thrice": "3 times", "triple": "3 times", "tripled": "3 times",
+    "quadruple": "4 times", "quadrupled": "4 times", "twice": "2 times", "clay": "clay",
+}  # fmt: skip
+PHRASES = (
+    (re.compile(r"^\s*(yes|no)\b[,.:;]?\s+(?=\w)"), r"said\1 "),
+    (
+        re.compile(r"[,;(]\s*(?:i\.e\.|that is|so|=)?\s*[0-9.,]+\s*[a-zµ°%][a-z/°%²³]*\)?\s*\.?$"),
+        "",
+    ),  # `twice as fast, i.e. 48 km/h`
+    (
+        re.compile(
+            r"(?<!half )(?<!twice )(?<!times )\b(?:just |exactly |equally )?as (?:large|big|high|great|much|long|fast|strong|heavy) as\b(?: before\b)?"
+        ),
+        "same",
+    ),
+    (
+        re.compile(
+            r"(?<!half )(?<!twice )(?<!times )\b(?:just|exactly|equally) as (?:large|big|high|great|much|long|fast|strong|heavy)\b"
+        ),
+        "same",
+    ),
+    (
+        re.compile(r"\b(?:do(?:es)?|did) ?(?:not|n't) (?:change|matter)\b|\bno (?:change|difference)\b"),
+        "same",
+    ),
+    (re.compile(r"'s\b"), ""),
+    (re.compile(r"\b(?:more slowly|less fast)\b"), "slower"),
+    (re.compile(r"\bmore quickly\b"), "faster"),
+    (re.compile(r"\b(?:one|a|an) (?=half|quarter|third|eighth|fourth)"), ""),
+    (re.compile(r"(?<=\d)\s*[x×](?![^\W_])"), " times"),
+    (re.compile(r"(?<=times) (?:higher|larger|bigger|greater|more|faster|longer|as \w+)\b"), ""),
+    (re.compile(r"\beach other\b"), "one another"),
+)
+# Words about a motion or a state that add nothing where the options do not have them.
+ADDITIONS: str = "away mov move stay remain keep go goe both some always ball wire body"
+ADDED = frozenset(ADDITIONS.split())
+CLAUSE_END = re.compile(r"\s*(?:[,;:(]|\.\s|\s[–-]\s)\s*")
+ENDINGS = ("ing", "ed", "es", "s", "ly")
+REASON = re.compile(rf"(?<=[^\W_])[.)]?[\s,;:–-]+(?:{BECAUSE}|due)\b.*$", re.IGNORECASE | re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True)
+class Worded:
+    """The letter of the option that a text means, "" for none; `sure` where every word of it is the option's or the question's."""
+
+    letter: str
+    sure: bool
+
+
+def option_worded(text: str, options: Mapping[str, str], question: str) -> Worded:
+    """The one option that has all words of a text which occur in the options at all; none where two have, or none.
+
+    `question` are the words of the question, which a student may repeat.
+    """
+    known = {letter: _content(each) for letter, each in options.items()}
+    typed = _content(REASON.sub("", text))
+    whole = _worded(typed, known, question)
+    if not whole.letter:  # `the elastic ball`, where it is asked which ball
+        whole = _worded([word for word in typed if word not in _content(question)], known, question)
+    first = CLAUSE_END.split(text, maxsplit=1)[0]
+    if (
+        whole.letter
+        and not whole.sure
+        and first != text
+        and _worded(_content(first), known, question) == Worded(whole.letter, sure=True)
+    ):
+        return Worded(whole.letter, sure=True)  # `it stays the same, the mass cancels`
+    return whole
+
+
+def _worded(typed: list[str], known: Mapping[str, list[str]], question: str) -> Worded:
+    """What the words of a text, without those that mean nothing, are among those of the options."""
+    if not typed or len(typed) > MOST_WORDS:
+        return Worded("", sure=False)
+    everywhere = set[str]().union(*known.values())
+    met = [word for word in typed if word in everywhere]
+    found = [letter for letter, words in known.items() if met and set(met) <= set(words)]
+    if len(found) != 1:
+        return Worded("", sure=False)
+    (letter,) = found
+    option = known[letter]
+    shared = {word for each in known.values() if each is not option for word in each}
+    left_out = TURNED.intersection(option) - {"and"}
+    if (
+        TURNED.intersection(typed) - set(option)
+        or left_out - set(typed)
+        or _numbers(typed) - _numbers(option)
+    ):
+        return Worded("", sure=False)
+    if (_numbers(option) - _numbers(typed)) - shared:
+        return Worded("", sure=False)
+    if "and" in option and "and" not in typed and not set(met) & set(option[option.index("and") :]):
+        return Worded("", sure=False)  # one of two
+    in_order = [word for word in option if word in met] == list(dict.fromkeys(met)) or len(set(met)) < 3
+    repeated = set(_content(question))
+    return Worded(letter, sure=in_order and all(word in everywhere | repeated | ADDED for word in typed))
+
+
+def _content(text: str) -> list[str]:
+    """The words of a text that mean something: small, without endings, numbers as digits, one word for its synonyms."""
+    plain = text.lower().replace("’", "'")
+    for pattern, instead in PHRASES:
+        plain = pattern.sub(instead, plain)
+    words = [
+        word for word in re.findall(r"[0-9]+(?:[.,/][0-9]+)?|[^\W\d_]+(?:'t)?", plain) if word not in FILLERS
+    ]
+    spelt = " ".join(SAME_AS.get(SAME_AS.get(word, word), SAME_AS.get(word, word)) for word in words)
+    found = ("not" if word.endswith("n't") else str(NUMBERS.get(word, word)) for word in spelt.split())
+    return [_stem(word) for word in found if word != "times"]
+
+
+def _numbers(words: list[str]) -> set[str]:
+    return {word for word in words if word[0].isdigit()}
+
+
+def _stem(word: str) -> str:
+    """A word without the ending of a plural, a participle or an adverb."""
+    return next(
+        (word.removesuffix(each) for each in ENDINGS if word.endswith(each) and len(word) > len(each) + 3),
+        word,
+    )
