@@ -42,7 +42,7 @@ LESS = (
     "at most|no more than|not more than|less than|fewer than|smaller than|slower than|lower than|below|under|up to|"
     "maximum(?: of)?|maximal|max\\.|höchstens|weniger als|kleiner als|høyst|mindre enn"
 )
-LEADS = r"\s*(?:(?:it|he|she|we|A|B|v) )?(?:(?:must|has to|have to|needs to|should) be )?"
+LEADS = r"\s*(?:(?:it|he|she|we|A|B|v) |(?:the )?[a-z]{3,12} (?:is|are|goes|has|must be|can be) )?(?:(?:must|has to|have to|needs to|should) be )?"
 NUMBER = r"(?=[-+−]?\s*[0-9.,√(]|sqrt)"
 IN_WORDS = re.compile(rf"{LEADS}(?:(?P<least>{MORE})|(?P<greatest>{LESS}))\s+{NUMBER}", re.IGNORECASE)
 IN_SIGNS = re.compile(  # `=> 3 N` begins with an arrow

@@ -65,6 +65,9 @@ IN_SLASHES = re.compile(r"\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*/\s*([-+]?[0-9]+(?:[
 BARE_AXES = re.compile(  # `7.5x - 10y`
     r"\s*(?P<first>[-+]?\s*[0-9.,]+)\s?\*?\s?x\s*(?P<second>[-+]\s*[0-9.,]+)\s?\*?\s?y(?P<third>\s*[-+]\s*[0-9.,]+\s?\*?\s?z)?\s*"
 )
+CHAIN = re.compile(
+    r"(?P<before>[^=]+(?:=[^=]+)*)=\s*(?P<last>[(\[][^()\[\]=]*[)\]][^()\[\]=]*)"
+)  # `p = 2*(3, 4) = (6, 8)`
 SCALED = re.compile(
     r"(?P<factor>[-+]?[0-9.,]+)(?:\s*[A-Za-z][A-Za-z/^0-9]*)?\s*[*·]?\s*\((?P<inside>[^()]*)\)(?:\s*[A-Za-z][A-Za-z/^0-9 ]*)?"
 )
@@ -431,6 +434,13 @@ def _after_unit(text: str) -> tuple[str, str]:
 
 def without_preamble(normalized: str) -> Bare:
     """A vector without what leads up to it, and its left sides; names of its components stay."""
+    if (
+        not LEFT.match(normalized)
+        and (chain := CHAIN.fullmatch(normalized))
+        and not re.search("[,;]", _masked(chain["before"]))
+    ):
+        sides = tuple(side.strip() for side in chain["before"].split("="))
+        return Bare(chain["last"], chain.start("last"), sides)
     led = LED.match(normalized)
     if led and led.end() < len(normalized):
         rest = without_preamble(normalized[led.end() :])
@@ -451,7 +461,11 @@ def unread_side(
     """What is asked about a left side of a vector that is no name of it: `-p = (3; 4)`, `|p| = (3; 4)`. A formula of the question's
     kind is none of those, nor a multiple of a vector that comes to the `last` side, as `2*(3, 4) = (6, 8)`."""
     for side in sides:
-        if _comes_to(side, last) or (question is not None and _is_formula(side, question)):
+        if (
+            _comes_to(side, last)
+            or _names_in_order(side, names)
+            or (question is not None and _is_formula(side, question))
+        ):
             continue
         size = side.strip().startswith("|")
         named = is_name(side, question) or is_talk(side, question)
@@ -476,6 +490,15 @@ def _comes_to(side: str, last: str) -> bool:
         and math.isclose(float(factor[0].value * one[0].value), float(other[0].value), rel_tol=0.01)
         for one, other in zip(inside, behind, strict=True)
     )
+
+
+def _names_in_order(side: str, names: Sequence[str]) -> bool:
+    """True for `(p_x, p_y)`, the components by name."""
+    inside = re.fullmatch(r"\s*[(\[]([^()\[\]]*)[)\]]\s*", side)
+    places = (
+        [place_named(f"{name.strip()} = ", names) for name in re.split(r"[,;]", inside[1])] if inside else []
+    )
+    return bool(names) and places == list(range(len(names)))
 
 
 def _is_formula(side: str, question: Question) -> bool:

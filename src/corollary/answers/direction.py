@@ -15,6 +15,7 @@ from corollary.answers.positive_direction import REFERENCE_LINE, line_of, sign_o
 from corollary.answers.preamble import OF_A_SIGN, reason_in, ways_before, without_reason
 from corollary.answers.question import Question
 from corollary.answers.remark import HARMLESS, remark_in
+from corollary.answers.sentence import Told, told
 from corollary.answers.sign_words import AXIS_OF, SIGNS
 from corollary.formula.ast import Negative
 from corollary.formula.value import Text, Value
@@ -162,7 +163,7 @@ REFERENCE_BEHIND = re.compile(
 # `0.8 m/s to the left, i.e. -0.8 m/s`, `9.9 m/s, which is about 36 km/h`: one value, said twice.
 SAID_AGAIN = re.compile(
     r"(?P<first>[^=]*?[0-9][^=]*?)(?:\s*\(\s*(?:that is|i\.e\.,?|or|which is)\s+|[,;]?\s+(?:i\.e\.,?|that is,?|which is|which means|so|hence|thus|das sind|dvs\.?)\s+)"
-    r"(?:about |approximately |the (?:force|velocity|momentum) is )?(?:[^\W\d_]\w{0,3}\s*=\s*)?(?P<second>[-+−]?\s?[0-9.,]+[^,;()=]*?)\s*\)?\.?\s*",
+    r"(?:about |approximately |(?:the|its) (?:\w+ ){1,2}is )?(?:[^\W\d_]\w{0,3}\s*=\s*)?(?P<second>[-+−]?\s?[0-9.,]+[^,;()=]*?)\s*\)?\.?\s*",
     re.IGNORECASE,
 )
 
@@ -211,6 +212,8 @@ def with_direction(
         said = [
             with_direction(Text(each), question, read, component) for each in again.group("first", "second")
         ]
+        if _is_unread(said[0]) and (sentence := told(again["first"], 1, question)) is not None:
+            said[0] = read(Text(sentence.quantities[0]))
         if (one := _one_value(*said)) is not None:
             return one
     value = Text(without_reason(value.text))
@@ -241,11 +244,32 @@ def with_direction(
             behind = read(Text(led.text))
             if len(signs) == 1 and not _has_minus(behind):
                 return _signed(behind, signs.pop(), " ".join(led.ways)) if directed(question) else behind
+        if _is_unread(remarked) and not component and (sentence := told(value.text, 1, question)) is not None:
+            return _told_alone(sentence, read(Text(sentence.quantities[0])), question) or remarked
         if found is None or not _is_unread(remarked):
             return remarked
     if found.sign is None or (_has_minus(answer) and not EXPLAINS.match(text.removeprefix(found.text))):
         return _either(answer, found.words)
     return _signed(answer, found.sign, found.words)
+
+
+def _told_alone(sentence: Told, answer: Answer, question: Question) -> Answer | None:
+    """The one quantity of a sentence; with either sign where its words may turn it."""
+    if (
+        not isinstance(answer, Numbers)
+        or answer.misfit
+        or (sentence.turned and not (directed(question) or _has_place(question)))
+    ):
+        return None
+    (value,) = answer.values
+    words = " ".join(" ".join(sentence.words).split()).strip(" .,;:()")
+    if value < 0 or _repeats(words, question):
+        return answer
+    why = _(
+        "\u201c{words}\u201d beside the number may be a sign; write the number alone, with its sign",
+        words=words,
+    )
+    return _two_ways(answer, words, why, sign_alone=not sentence.turned and not _is_contrary(words, question))
 
 
 def _one_value(first: Answer, second: Answer) -> Answer | None:

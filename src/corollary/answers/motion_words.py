@@ -10,6 +10,9 @@ NO: str = "not never neither nobody longer nicht kein nie ikke aldri ingen"
 DENIED = "".join(rf"(?<!\b{word} )" for word in NO.split()) + r"(?<!n['’]t )"
 DENIAL = re.compile(rf"\b(?:{'|'.join(NO.split())})\b|n['’]t\b", re.IGNORECASE)
 VERB = r"\b(?:is|are|was|be|stays?|remains?|keeps|comes? to|came to|comes|lies|has|gets|ist|sind|bleibt|bleiben|kommt|liegt|hat|er|blir|kommer|ligger|har)\s+"
+ZERO_AGAIN = re.compile(
+    r"= 0\s*[,(]\s*0\s*[^\s,;()0-9]*\)?(?=\s*[,;]|\s+and\b)"
+)  # `A is at rest, 0 m/s, and …`
 NOTHING = re.compile(  # `nothing along x`, `no force in y`
     r"(?<![^\W_])(?:nothing|none|zero|no (?:force|momentum|velocity|impulse|component|motion|change)) (?P<where>(?:along|in) (?:the )?[xyz]\b)",
     re.IGNORECASE,
@@ -56,7 +59,9 @@ MOVES = re.compile(
 
 def motion_in_numbers(text: str) -> str:
     """The components of several bodies: `A stops, B moves at 4 m/s` as `A 0, B = 4 m/s`."""
-    return MOVES.sub(" = ", way_behind(REST.sub(_zero, NOTHING.sub("0 \\g<where>", text))))
+    return MOVES.sub(
+        " = ", way_behind(ZERO_AGAIN.sub("= 0", REST.sub(_zero, NOTHING.sub("0 \\g<where>", text))))
+    )
 
 
 def way_behind(text: str) -> str:

@@ -19,7 +19,7 @@ SYMBOL = (
 # `v(t)`, `F(y = 0.6 m)`: a function of its own letter, which is a name; `m(v + w)` is a product.
 CALLED = r"(?:\s*\((?:[txyz0]|\s*[^\W\d_]\w*\s*=[^()=]*)\))?"
 NAME = re.compile(
-    rf"\s*(?:{SYMBOL}{CALLED}|\|\|?\s*{SYMBOL}\s*\|\|?|<\s*{SYMBOL}\s*>|⟨\s*{SYMBOL}\s*⟩|\[{SYMBOL}\])\s*"
+    rf"\s*(?:{SYMBOL}{CALLED}|\|\|?\s*{SYMBOL}\s*\|\|?|<\s*{SYMBOL}\s*>|⟨\s*{SYMBOL}\s*⟩|\[{SYMBOL}\]|\({SYMBOL}\))\s*"
 )
 WORD = re.compile(rf"{SYMBOL}|\([^\W\d_]\w?\)|[^\W\d_]+['’.]?s?")
 CHANGES = (
@@ -64,7 +64,7 @@ def is_name(side: str, question: Question | None = None) -> bool:
     """
     if NAME.fullmatch(side) is None or side.partition("(")[0].strip().lower() in function_words():
         return False
-    run = re.sub(r"\([^()]*\)\s*$", "", side).strip().strip("|<>⟨⟩[] ")
+    run = re.sub(r"\([^()]*\)\s*$", "", side).strip().strip("|<>⟨⟩[]() ")
     return not any(sign in VULGAR for sign in run) and _is_one(run, question)
 
 

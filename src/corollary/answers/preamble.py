@@ -45,9 +45,12 @@ SENTENCE = re.compile(
 CLAUSE = re.compile(
     r"(?P<words>(?:[0-9]+ times|[^\W\d_]+['’]?[^\W\d_]*)(?:,?[ -][^\W\d_]+['’]?[^\W\d_]*){0,16})"
     r"(?:\s*(?P<mark>[:;,.])\s+(?:(?:and\s+)?(?:so|thus|hence|therefore|that is|i\.e\.|namely|at|by|about|also|damit|altså)\s+)?|(?P<colon>:)|\s+)"
-    r"(?=(?P<signed>[-−])?[+≈~]?\s*(?:[0-9]|[.,][0-9]|√))"
+    r"(?:(?<=\s)[^\W\d_]\w{0,3}\s*=\s*|[ΔδdD∆][^\W\d_]\w?\s*=\s*)?(?=(?P<signed>[-−])?[+≈~]?\s*(?:[0-9]|[.,][0-9]|√))"
 )
 TIMES_AS = re.compile(r"\b\w+ times\b")
+HALF_OF_A_NAME = re.compile(
+    r"\bhalf[- ](?=(?:sine|period|wave|life|swing|turn)\b)|\beach other\b", re.IGNORECASE
+)
 AS_BEFORE = re.compile(r"\bas \w+ (?:as before|again)\b")
 CONCLUDING = re.compile(r", (?:and )?(?:so|thus|hence|therefore|damit|also|altså) ", re.IGNORECASE)
 CONCLUDES = re.compile(r", (?:and )?(?:so|thus|hence|therefore|namely|also|damit|altså)$", re.IGNORECASE)
@@ -74,6 +77,9 @@ COUNTED = re.compile(
 CONCLUSION = re.compile(
     r"[^?=]*=[^?]*[,;.]\s*(?:and\s+)?(?:so|thus|hence|therefore|giving|which gives|damit|daher|also|dermed|altså)\s+(?:that\s+)?(?=[^=]*=)",
     re.IGNORECASE,
+)
+WORK = re.compile(
+    rf"(?P<work>[^?]*[=≈][^?]*?)\s*(?:[,;.]\s|→|⇒|⟹|=>|-{{1,2}}>)\s*(?:(?:and|so|thus|hence|therefore)\s+)*(?P<name>{NAME})\s*[=≈]\s*[-+]?[0-9.,√(][^=,;]*"
 )
 LEADING = (
     LABEL,
@@ -197,6 +203,8 @@ def _skipped(text: str, in_a_sentence: bool) -> tuple[int, list[str]]:
         return 0, []
     if in_a_sentence and (clause := _clause(text))[0]:
         return clause
+    if in_a_sentence and (work := WORK.fullmatch(text)) and not _names_a_value(work["work"], work["name"]):
+        return work.start("name"), []  # `v² = 2gh = 98, v = 9.90 m/s`
     for lead in LEADING:
         if (found := lead.match(text)) and found.end() < len(text):
             return found.end(), []
@@ -213,7 +221,7 @@ def _clause(text: str) -> tuple[int, list[str]]:
         return 0, []
     concluded = None
     marked = bool(found["mark"] or found["colon"] or CONCLUDES.search(found["words"]))
-    words = RIGHT_ANGLE.sub("angle", found["words"]).replace(",", " ").split()
+    words = HALF_OF_A_NAME.sub("", RIGHT_ANGLE.sub("angle", found["words"])).replace(",", " ").split()
     small = [part for word in words for part in word.lower().split("-")]
     if not marked and (concluded := CONCLUDING.search(found["words"])):
         small = found["words"][concluded.end() :].lower().split()  # `it is twice that, so the force is 3 N`
@@ -228,19 +236,32 @@ def _clause(text: str) -> tuple[int, list[str]]:
         or DENIED.search(" ".join(word for word in small if word not in ratios))
         or any(len(word) == 1 and word.isupper() and word not in "AI" for word in words)
         or not any(len(word) > 3 for word in words)
-        or any(_is_unit(word) for word in (words if len(words) < 3 else words[-1:] if not marked else ()))
+        or (len(words) < 3 and any(_is_unit(word) for word in words) and small[0] not in ("it", "he", "she"))
         or any(_is_unit(word) for before, word in pairwise(small) if before in ("in", "unit", "units"))
-        or function_words().keys() & set(words)
+        or words[-1] in function_words()
     ):
         return 0, []
     return found.end(), []
+
+
+def _names_a_value(work: str, name: str) -> bool:
+    """True if the lines before a result are a value of their own, or give this letter another one: `F = 86 N, F = 172 N`."""
+    sides = [side.strip() for side in re.split(r"[=≈]|[,;]\s|→|->|=>", work)]
+    return (
+        name in sides
+        or re.fullmatch(rf"(?:{NAME})\s*[=≈]\s*[-+]?[0-9.,]+\s*[^=≈,;]*", work.strip()) is not None
+    )
 
 
 def ways_before(text: str) -> WaysBefore | None:
     """A number without the clause before it that names its direction: `it flies back to the left at 9 m/s`."""
     found = CLAUSE.match(text.lstrip())
     ways = tuple(word for word in found["words"].lower().split() if word in SIGNS) if found else ()
-    if found is None or not ways or not (found["mark"] or found["words"].lower().endswith((" at", " with", " by"))):
+    if (
+        found is None
+        or not ways
+        or not (found["mark"] or found["words"].lower().endswith((" at", " with", " by")))
+    ):
         return None
     rest = " ".join(word for word in found["words"].split() if word.lower() not in SIGNS)
     plain = f"{rest or 'that'} is {text.lstrip()[found.end() :]}"

@@ -71,6 +71,7 @@ ARROW = re.compile(rf"^(?P<name>\s*{SYMBOL})\s*(?:→|⇒|[-=]>)\s*(?=[-+−]?[0
 WORDS_BEHIND_NAME = re.compile(
     rf"(?P<name>\s*{SYMBOL})\s*\((?P<words>[A-Za-z ]+)\)(?=\s*=)"
 )  # `F (average) = 86 N`
+OVER_UNIT = re.compile(r"(?<=[0-9)])\s+1\s*/\s*(?=[A-Za-z])")  # `√40 1/s`
 SHARE_OF = re.compile(r"(?<=[0-9])(\s*%)\s+of\s+(?=[0-9])")  # `65 % of 20 cm`
 OF_THAT = re.compile(
     r"(?<=[0-9])(?P<unit>\s*(?:%|percent))?\s+(?:of (?:it|that|this|them)|more or less|or so)\s*$",
@@ -295,7 +296,12 @@ def _agree(one: Reading, other: Reading) -> bool:
     bare = (one.unit is None and one.fit == "unit missing") or (
         other.unit is None and other.fit == "unit missing"
     )
-    return same or (bare and same_value(float(one.value), float(other.value)))
+    if same or (bare and same_value(float(one.value), float(other.value))):
+        return True
+    # `1 - 3/4 = 0.25 = 25 %`, `492/2 = 246 s = 4.1 min`: what has no unit is in SI.
+    return (one.unit is None and same_value(float(one.value), in_si(other))) or (
+        other.unit is None and same_value(in_si(one), float(other.value))
+    )
 
 
 def _are_zero(one: Reading, other: Reading) -> bool:
@@ -439,7 +445,7 @@ def _of_charge(expected: Unit) -> bool:
 def _worked(
     text: str, normalized: str, expected: Unit | None, *, euler: bool = False
 ) -> Reading | ParseError:
-    found = worked_out(normalized.translate(ROUND), euler=euler)
+    found = worked_out(OVER_UNIT.sub(" * 1/", normalized.translate(ROUND)), euler=euler)
     if isinstance(found, ParseError):
         return found
     number = Written(Fraction(f"{found.value:.15g}"), 0, 0)

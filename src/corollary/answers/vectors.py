@@ -10,12 +10,13 @@ from typing import cast
 
 from corollary.answers.answer import Answer, Blank, Formulas, Letter, Numbers, Unclear
 from corollary.answers.components import are_axes, labelled, place_named
-from corollary.answers.direction import LONGEST, axis_named, beside_axis, with_direction
+from corollary.answers.direction import DIRECTED, LONGEST, axis_named, beside_axis, with_direction
 from corollary.answers.formula import as_typed
 from corollary.answers.left_side import gives, solvable, unknown_letter
 from corollary.answers.numbers import PLACEHOLDERS, from_reading, scalar, turned_away, with_share
 from corollary.answers.quantity import Reading, components_in, read_quantities, read_quantity
 from corollary.answers.question import Question
+from corollary.answers.sentence import by_names, told
 from corollary.formula.ast import Expr, Number
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.numerals import decimal_text
@@ -130,6 +131,17 @@ def _in_one_text(text: str, question: Question) -> Read:
             return each
     elif (one := _along_one_axis(text, question)) is not None:
         return one
+    if (several := told(text, count, question)) is not None and not (
+        several.turned and question.unit.dimension in DIRECTED
+    ):
+        ordered = by_names(several, question.components)
+        answer = (
+            _each([Text(each) for each in ordered], question)
+            if ordered and not are_axes(question.components)
+            else None
+        )
+        if isinstance(answer, Numbers):
+            return answer
     return Unclear(sentence(found), as_typed(text))
 
 

@@ -22,7 +22,7 @@ _ = catalogue(__name__)
 
 LONGEST = 400
 AROUND = r"[\s()\[\].:;,!*_\"'“”„‘’`$]*"
-LEAD = r"(?:i (?:think|choose|chose|pick|believe|say) |it is |it's |it must be |my )?(?:the )?"
+LEAD = r"(?:die |der |das |i (?:think|choose|chose|pick|believe|say) |it is |it's |it must be |my )?(?:the )?"
 NAMED = r"(?:option|answer|choice|alternative|letter|svar|alternativ|antwort|lösung)(?: is)?"
 HOLDS = r"(?:is|ist|er) (?:the )?(?:correct|right|true|richtig|korrekt|riktig|rett|sann)(?: (?:one|answer|option|choice))?"
 REASON = rf"{BECAUSE}|as|da|denn|siden"

@@ -26,9 +26,9 @@ TURNING: str = (
 TURNED = frozenset(TURNING.split())
 SAME_AS: dict[str, str] = {
     "bigger": "larger", "greater": "larger", "higher": "larger", "increases": "larger", "lower": "smaller", "decreases": "smaller",
-    "quicker": "faster", "equal": "same", "equally": "same", "unchanged": "same", "identical": "same", "double": "twice", "doubled": "twice", "doubles": "twice",
+    "quicker": "faster", "equal": "same", "equally": "same", "unchanged": "same", "identical": "same", "double": "2 times", "doubled": "2 times", "doubles": "2 times",
     "quarter": "1/4", "fourth": "1/4", "half": "1/2", "halved": "1/2", "third": "1/3", "eighth": "1/8", "thrice": "3 times", "triple": "3 times", "tripled": "3 times",
-    "quadruple": "4 times", "quadrupled": "4 times", "twice": "2 times", "clay": "clay",
+    "quadruple": "4 times", "quadrupled": "4 times", "twice": "2 times",
 }  # fmt: skip
 PHRASES = (
     (re.compile(r"^\s*(yes|no)\b[,.:;]?\s+(?=\w)"), r"said\1 "),
@@ -38,7 +38,7 @@ PHRASES = (
     ),  # `twice as fast, i.e. 48 km/h`
     (
         re.compile(
-            r"(?<!half )(?<!twice )(?<!times )\b(?:just |exactly |equally )?as (?:large|big|high|great|much|long|fast|strong|heavy) as\b(?: before\b)?"
+            r"(?<!half )(?<!twice )(?<!times )\b(?:just |exactly |equally )?as (?:large|big|high|great|much|long|fast|strong|heavy)(?: as\b(?: before\b)?|\s*[.!]?$)"
         ),
         "same",
     ),
@@ -61,7 +61,7 @@ PHRASES = (
     (re.compile(r"\beach other\b"), "one another"),
 )
 # Words about a motion or a state that add nothing where the options do not have them.
-ADDITIONS: str = "away mov move stay remain keep go goe both some always ball wire body"
+ADDITIONS: str = "away mov move stay remain keep go goe act direction point take tak choose pick sea both some always ball wire body"
 ADDED = frozenset(ADDITIONS.split())
 CLAUSE_END = re.compile(r"\s*(?:[,;:(]|\.\s|\s[–-]\s)\s*")
 ENDINGS = ("ing", "ed", "es", "s", "ly")
@@ -130,12 +130,11 @@ def _content(text: str) -> list[str]:
     plain = text.lower().replace("’", "'")
     for pattern, instead in PHRASES:
         plain = pattern.sub(instead, plain)
-    words = [
-        word for word in re.findall(r"[0-9]+(?:[.,/][0-9]+)?|[^\W\d_]+(?:'t)?", plain) if word not in FILLERS
-    ]
-    spelt = " ".join(SAME_AS.get(SAME_AS.get(word, word), SAME_AS.get(word, word)) for word in words)
-    found = ("not" if word.endswith("n't") else str(NUMBERS.get(word, word)) for word in spelt.split())
-    return [_stem(word) for word in found if word != "times"]
+    found: list[str] = re.findall(r"[0-9]+(?:[.,/][0-9]+)?|[^\W\d_]+(?:'t)?", plain)
+    words = [word for word in found if word not in FILLERS]
+    spelt = " ".join(SAME_AS.get(word, word) for word in words)
+    plainer = ("not" if word.endswith("n't") else str(NUMBERS.get(word, word)) for word in spelt.split())
+    return [_stem(word) for word in plainer if word != "times"]
 
 
 def _numbers(words: list[str]) -> set[str]:

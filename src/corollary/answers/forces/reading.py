@@ -19,6 +19,9 @@ from corollary.units.unit import unit
 _ = catalogue(__name__)
 
 LONGEST, MOST = 1000, 20  # signs of a text, forces of an answer
+SPOKEN = re.compile(
+    r"\b(?:acts?|points?|pulls?|pushes|is directed|acting|pointing)\b", re.IGNORECASE
+)  # `the weight acts down`
 BETWEEN = re.compile(r"\s*(?::|=|->|→)\s*")
 
 
@@ -53,7 +56,10 @@ class ForcesType(AnswerType):
             case Text(text) if text.strip() in PLACEHOLDERS:
                 return Blank()
             case Text(text) if len(text) <= LONGEST:
-                pieces = re.split(r"[;\n]" if ";" in text or "\n" in text else ",", text)
+                text = SPOKEN.sub(" ", text)
+                pieces = re.split(
+                    r"[;\n]" if ";" in text or "\n" in text else r",\s*(?:and\s)?|\s+and\s+(?:the\s+)?", text
+                )
                 return _together([_pull(piece, question) for piece in pieces if piece.strip()])
             case Named(names, items):
                 return _together(

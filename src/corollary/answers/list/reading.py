@@ -20,6 +20,7 @@ _ = catalogue(__name__)
 LONGEST = 400
 PARTED = re.compile(r"[,;\n|(\[{]")
 MOST = 12  # numbers of one list
+BY_BLANKS = re.compile(r"\s*[-+]?[0-9]+\.[0-9]+(?:\s+[-+]?[0-9]+\.[0-9]+)+(?:\s*[A-Za-z°%][^0-9]*)?")
 AND = re.compile(r"\s+(?:and|or|und|oder|og|eller)\s+", re.IGNORECASE)
 
 
@@ -42,6 +43,8 @@ class ListType(AnswerType):
     def read(self, value: Value, question: Question) -> Answer:
         if isinstance(value, Items) and all(isinstance(item, Nothing) for item in value.items):
             return Blank()
+        if isinstance(value, Text) and len(value.text) <= LONGEST and BY_BLANKS.fullmatch(value.text):
+            value = Text(re.sub(r"(?<=[0-9])\s+(?=[-+0-9])", "; ", value.text.strip()))  # `0.359 2.09`
         if isinstance(value, Text) and len(value.text) <= LONGEST and AND.search(value.text):
             value = Text(re.sub(r"\s*,\s+", "; ", AND.sub("; ", value.text)))
         found = _of(value, _wanted(value, len(question.components)), question)

@@ -8,8 +8,9 @@ from typing import final
 from corollary.answers.answer import Answer, Blank, Letter, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.numbers import PLACEHOLDERS, turned_away
+from corollary.answers.preamble import without_reason
 from corollary.answers.question import Question
-from corollary.answers.spellings import main_spelling, word_held, words_met
+from corollary.answers.spellings import LONGEST, main_spelling, word_held, words_met
 from corollary.formula.value import Items, Nothing, Refused, Text, Value
 from corollary.messages import catalogue
 
@@ -44,6 +45,7 @@ class WordType(AnswerType):
             case Text(text) if text.strip() in PLACEHOLDERS:
                 return Blank()
             case Text(text):
+                text = without_reason(text) if len(text) <= LONGEST else text
                 found, typed = words_met(LED.sub("", text, count=1), words), text.strip()[:40]
                 letters = [Letter(letter, main_spelling(words[letter])) for letter in found.letters]
                 if found.exact and len(letters) == 1:
