@@ -161,7 +161,7 @@ def _damped(
             "Start it higher above R, or raise k."
         )
     line = RowOfBodies((math.inf, m), (0.0, -speed), (0.0,), (contact,), weight=g)
-    collided = collide(line, tolerance, in_steps=in_steps)
+    collided = collide(line, tolerance)
     result = collided.result
     # In steps the fall is, too.
     errors = {name: each + EXACT * in_steps for name, each in collided.errors.items()}

@@ -64,7 +64,7 @@ def play(settings: Settings, tolerance: float, *, in_steps: bool = False) -> Run
     ma, mb, h0, g, k, q, gap = numbers(settings, "mA", "mB", "h0", "g", "k", "q", "gap")
     speed = fallen(h0, 0.0, g) if in_steps else math.sqrt(2.0 * g * h0)
     line = RowOfBodies((math.inf, ma, mb), (0.0, -speed, -speed), (0.0, gap), (Contact(k, q), Contact(k, q)))
-    found = collide(line, tolerance, in_steps=in_steps)
+    found = collide(line, tolerance)
     if one(settings, "weighed"):
         return _weighed(line, found.result, g, gap, tolerance, in_steps=in_steps)[0]
     _, lower, upper = found.result.velocities
@@ -133,9 +133,9 @@ def _weighed(
     _refuse_far(line.masses[2] / line.masses[1], 2.0 * g * gap / speed**2, lift / gap if gap else math.inf)
     heavy = replace(line, weight=g)
     try:
-        found = collide(heavy, tolerance / FINER, in_steps=in_steps)
+        found = collide(heavy, tolerance / FINER)
     except GuardFailed:  # where powers of overlaps are rough no steps keep the energy so well
-        found = collide(heavy, tolerance, in_steps=in_steps)
+        found = collide(heavy, tolerance)
     result = found.result
     left = result.velocities[1:]
     places = result.left[0], result.left[0] + result.left[1] - gap

@@ -53,9 +53,7 @@ def second_way(settings: Settings, tolerance: float) -> Run:
     log = -math.log(r) if r else math.inf
     share = log / math.hypot(math.pi, log) if r else 1.0 + 1e-9
     eta = 2.0 * share * math.sqrt(k * ma / (ma + mb) * mb)
-    found = collide(
-        RowOfBodies((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance, in_steps=True
-    )
+    found = collide(RowOfBodies((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance)
     a, b = found.result.velocities
     values: dict[str, Observed] = {"velocities": (a, b), "impulse": mb * (b - vb)}
     fastest = max(map(abs, (va, vb, a, b)))

@@ -57,7 +57,7 @@ def second_way(settings: Settings, tolerance: float) -> Run:
     m, v0, theta, dt = numbers(settings, "m", "v0", "theta", "dt")
     along, into = v0 * math.cos(theta), v0 * math.sin(theta)
     line = RowOfBodies((math.inf, m), (0.0, -into), (0.0,), (Contact(m * (math.pi / dt) ** 2, 1.0),))
-    found = collide(line, tolerance, in_steps=True)
+    found = collide(line, tolerance)
     change = m * (found.result.velocities[1] + into)
     observed: dict[str, Observed] = {
         "velocities": (along, found.result.velocities[1]),

@@ -32,7 +32,6 @@ def test_the_least_model_is_chosen():
     assert plan(row(1.0, 2.0), V).model == "conservation"
     assert plan(row(1.0, 2.0), V | {Observable.DURATION}).model == "quadrature"
     assert plan(row(1.0, 1.0, 1.0), V).model == "integration"
-    assert plan(row(1.0, 1.0, 1.0, contact=Contact(1e4, 1.0)), V).model == "piecewise exact"
     assert plan(row(1.0, 2.0, contact=Contact(1e4, 1.5, 1.0)), V).model == "integration"
     in_a_plane = Scene(
         (Body(1.0, (0.0, 0.0), (1.0, 0.0), 0.1), Body(1.0, (1.0, 0.1), (0.0, 0.0), 0.1)), (HARD,)

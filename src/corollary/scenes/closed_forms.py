@@ -76,6 +76,10 @@ def as_line(scene: Scene) -> RowOfBodies | None:
     walls = [i for i, body in enumerate(row) if math.isinf(body.mass)]
     if len(contacts) != 1 or row != list(scene.bodies) or len(walls) > 1 or (weight and walls != [0]):
         return None
+    if (
+        contacts[0].eta > 0.0 and len(row) > 2
+    ):  # whether several damped contacts stay together the loop of composed scenes tells
+        return None
     return RowOfBodies(
         masses=tuple(body.mass for body in row),
         velocities=tuple(body.velocity[0] for body in row),

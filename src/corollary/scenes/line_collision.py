@@ -14,15 +14,11 @@ from corollary.scenes.progress import tell
 from corollary.scenes.row import (
     RowOfBodies,
     RowResult,
-    caught_between,
-    conserved,
     in_si,
     in_units,
     natural_units,
-    reduced_mass,
 )
 from corollary.scenes.run import (
-    ILL,
     ROUNDING,
     GuardFailed,
     Model,
@@ -36,14 +32,8 @@ from corollary.scenes.run import (
 SAFE = 10.0
 # One number's difference may pass through zero between two tolerances, where those of the others do not: this share of theirs is its own.
 SHARED = 0.2
-# So many times what is too shallow to be seen is missed of the overlaps of a row of springs.
-SEVERAL = 3.0
 # So much of the strain of slow touches counts.
 STRAINED = 0.5
-# The last digit of a double.
-DIGIT = 2.0**-52
-# In longer rows of springs a sum of normal modes costs more than steps.
-MOST_FOR_NORMAL_MODES = 20
 SEEN_AS = {"duration": "duration", "largest_overlap": "overlaps", "peak_force": "forces"}
 """Which error is that of an observable; the others are worked out from the velocities."""
 
@@ -76,91 +66,12 @@ class Collided:
 
 
 @lru_cache(maxsize=1024)
-def collide(line: RowOfBodies, tolerance: float, *, in_steps: bool = False) -> Collided:
-    """What the line comes to; found once and kept. `in_steps` follows it whatever else could be done.
+def collide(line: RowOfBodies, tolerance: float) -> Collided:
+    """What the line comes to; found once and kept. The error is the difference from a coarser run, which is the coarser one's: the finer
+    one's is smaller.
 
     Raises GuardFailed when no run keeps momentum and energy, BadSetting when compiled steps are asked for and numba is missing.
     """
-    if not in_steps and _springs(line) and len(line.masses) <= MOST_FOR_NORMAL_MODES:
-        return _by_normal_modes(line)
-    return _integrated(line, tolerance)
-
-
-def _springs(line: RowOfBodies) -> bool:
-    return line.weight == 0.0 and all(c.q == 1.0 and c.eta == 0.0 for c in line.contacts)
-
-
-def _by_normal_modes(line: RowOfBodies) -> Collided:
-    from corollary.scenes.models import modal  # here, since it brings numpy, which most scenes never need
-
-    try:
-        result, otherwise = modal.collide(line), modal.collide(line, otherwise=True)
-    except (ArithmeticError, ValueError) as lost:
-        why = str(lost).rstrip(".")
-        raise GuardFailed(f"These masses are too unequal for normal modes in doubles: {why}.") from lost
-    # Every opening or closing hands its rounding on to what follows, and a light body is thrown to and fro: each time, too.
-    thrown = math.sqrt(max(1.0, caught_between(line.masses)))
-    rounded = ROUNDING * len(line.masses) * max(result.openings, 1) * thrown
-    # Rows that are struck again and again amplify it, nobody knows how much: a run that is rounded otherwise shows it.
-    apart = {
-        name: SAFE * _apart(a, b) / (max(map(abs, a)) or 1.0)
-        for name, a, b in (
-            ("velocities", result.velocities, otherwise.velocities),
-            ("overlaps", result.overlaps, otherwise.overlaps),
-            ("duration", (result.duration,), (otherwise.duration,)),
-        )
-    }
-    sure = max(rounded, apart["overlaps"], SHARED * apart["velocities"])
-    fastest = max(map(abs, line.velocities))
-    slow, late = _too_shallow(line, result, modal.NOISE)
-    errors = {
-        # A rounding of momentum is much of the speed of a light body.
-        "velocities": max(
-            rounded * thrown**2, apart["velocities"], _energy_lost(line, result), slow / fastest
-        ),
-        "overlaps": sure,
-        "forces": sure,
-        "duration": max(
-            (30.0 + 3.0 * result.strain) * sure, apart["duration"], late / (result.duration or 1.0)
-        ),
-    }
-    off = errors["velocities"] * fastest
-    doubts = _doubts(line, (otherwise, result), off, "")
-    if (grown := apart["velocities"] / SAFE / DIGIT) > ILL:
-        doubts += (
-            f"What is rounded in the sixteenth digit comes out {grown:.0e} times larger in the velocities (chaos).",
-        )
-    why = "springs: from one opening to the next the motion is a sum of swings"
-    return Collided(result, errors, "piecewise exact", why, 0, doubts)
-
-
-def _too_shallow(line: RowOfBodies, result: RowResult, noise: float) -> tuple[float, float]:
-    """What an overlap that is too shallow to be seen, a share `noise` of the deepest, does to a light body: how fast (m/s) it may swing with it,
-    and how much later (s) its contact may open."""
-    units = natural_units(line)
-    if units is None:
-        return 0.0, 0.0
-    shallow = SEVERAL * noise * units.overlap
-    slow = late = 0.0
-    met = zip(pairwise(line.masses), line.contacts, result.overlaps, pairwise(result.velocities), strict=True)
-    for (a, b), contact, deep, (v, w) in met:
-        swing = math.sqrt(reduced_mass(a, b) / contact.k)
-        slow = max(slow, shallow / swing)
-        if deep:  # it opens as slowly as it goes on
-            late = max(late, min(math.pi * swing, shallow / (abs(w - v) or deep / swing)))
-    return slow, late
-
-
-def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
-    """What rounding made of the energy, as a velocity: the lightest body's, were it all in there and the energy shared out."""
-    before, _, _ = conserved(line, [-gap for gap in line.gaps], line.velocities)
-    after, _, _ = conserved(line, [0.0] * len(line.gaps), result.velocities)
-    masses = [m for m in line.masses if not math.isinf(m)]
-    return abs(after - before) / before * math.sqrt(max(masses) / min(masses)) if before else 0.0
-
-
-def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
-    """The error is the difference from a coarser run, which is the coarser one's: the finer one's is smaller."""
     compiled, units, allowed = both_ways.wanted(), natural_units(line), two_runs(tolerance)
     if units is None:
         return Collided(regularised.collide(line), {}, "conservation", "nothing moves toward anything", 0)
@@ -193,12 +104,7 @@ def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     return Collided(in_si(fine, units), errors, "integration", _reason(line), spent, doubts)
 
 
-def _doubts(
-    line: RowOfBodies,
-    runs: tuple[RowResult, ...],
-    error: float,
-    remedy: str = "; ask for a smaller tolerance",
-) -> tuple[str, ...]:
+def _doubts(line: RowOfBodies, runs: tuple[RowResult, ...], error: float) -> tuple[str, ...]:
     """What is not decided of touches; the last of the runs, and the `error` of its velocities, are in the same units."""
     counts, found = [run.openings for run in runs], runs[-1]
     if math.isinf(found.duration) or line.weight or not counts[-1]:
@@ -206,7 +112,7 @@ def _doubts(
     doubts: list[str] = []
     if len(set(counts)) > 1:
         doubts.append(
-            f"Two runs count {' and '.join(map(str, counts))} touches: the duration is not decided{remedy}."
+            f"Two runs count {' and '.join(map(str, counts))} touches: the duration is not decided; ask for a smaller tolerance."
         )
     slow = [
         f"{i} and {i + 1}" for i, (a, b) in enumerate(pairwise(found.velocities), 1) if abs(b - a) <= error
@@ -222,8 +128,6 @@ def _doubts(
 def _reason(line: RowOfBodies) -> str:
     if any(c.eta > 0.0 for c in line.contacts):
         return "damping takes energy at every moment of the contact: no integral of motion is left"
-    if _springs(line):
-        return f"{len(line.masses)} springs in a row: steps cost less than a sum of so many swings"
     return f"{len(line.masses)} bodies touch at once: momentum and energy are two equations for {len(line.masses)} velocities"
 
 

@@ -68,13 +68,6 @@ def reduced_mass(a: float, b: float) -> float:
     return 1.0 / (1.0 / a + 1.0 / b)
 
 
-def caught_between(masses: Sequence[float]) -> float:
-    """How many times heavier the bodies, near or far, are that a body lies between: it is thrown to and fro some square root of that."""
-    left, right = list(accumulate(masses, max)), list(accumulate(reversed(masses), max))[::-1]
-    between = zip(left, masses[1:-1], right[2:], strict=False)
-    return max((min(a, b) / m for a, m, b in between), default=1.0)
-
-
 def natural_units(line: RowOfBodies) -> Units | None:
     """Units in which the collision is of order one; none when nothing ever moves toward anything.
 

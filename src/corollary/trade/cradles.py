@@ -9,7 +9,6 @@ from corollary.scenes.integrate import regularised
 from corollary.scenes.models.two_bodies import contact_time
 from corollary.scenes.row import RowOfBodies, RowResult
 from corollary.trade.raced_scene import (
-    ONCE,
     TOLERANCES,
     MethodAnswer,
     MethodRoute,
@@ -64,8 +63,6 @@ def case(count: int, q: float, reference: Reference) -> RacedScene:
         own["regularised_compiled"] = MethodRoute(
             "tolerance", TOLERANCES, lambda tolerance: _compiled(row, tolerance)
         )
-    if q == 1.0:
-        own = {"exact_flow": MethodRoute("tolerance", ONCE, lambda _: _exact(row)), **own}
     # All balls are apart well before this: the wave has passed every contact.
     pair = contact_time(0.5 * MASS, STIFFNESS, q, SPEED)
     return RacedScene(
@@ -87,12 +84,6 @@ def _answer(passage: RowResult) -> MethodAnswer:
 
 def _compiled(row: RowOfBodies, tolerance: float) -> MethodAnswer:
     return _answer(regularised.collide(row, tolerance, compiled=True))
-
-
-def _exact(row: RowOfBodies) -> MethodAnswer:
-    from corollary.scenes.models import modal  # here, since it brings numpy
-
-    return _answer(modal.collide(row))
 
 
 def cases() -> tuple[RacedScene, ...]:

@@ -20,7 +20,6 @@ SHORT = 4e-3
 PLANNED = {
     "conservation": "conservation",
     "quadrature": "quadrature",
-    "piecewise exact": "exact_flow",
     "integration": "regularised",
 }
 """The planner's models by the names their routes have here."""

@@ -46,15 +46,10 @@ def bouncing_ball(draw):
 
 
 def cradle(draw):
-    """Of springs; of two balls also others."""
-    count = draw.choice([2, 3, 5, 12])
-    names = {
-        "N": float(count),
-        "q": draw.choice([1.0, 1.5]) if count == 2 else 1.0,
-        "v0": any_of(draw, -2, 1),
-    }
-    masses = {"masses": tuple(any_of(draw, -1, 0.5) for _ in range(count))} if draw.random() < 0.5 else {}
-    gaps = {"gaps": tuple(any_of(draw, -5, -2) for _ in range(count - 1))} if draw.random() < 0.5 else {}
+    """Of two balls; more are followed in steps in any case."""
+    names = {"N": 2.0, "q": draw.choice([1.0, 1.5, 3.0]), "v0": any_of(draw, -2, 1)}
+    masses = {"masses": tuple(any_of(draw, -1, 0.5) for _ in range(2))} if draw.random() < 0.5 else {}
+    gaps = {"gaps": (any_of(draw, -5, -2),)} if draw.random() < 0.5 else {}
     return names | masses | gaps
 
 
@@ -149,10 +144,10 @@ def test_only_what_is_followed_in_steps_in_any_case_has_no_second_way():
         ("ball_on_floor", {"q": 1.0, "g": 0.0, "eta": 5.0}),
         ("ball_on_floor", {"eta": 1e8}),
         ("bouncing_ball", {}),
-        *(("cradle", {"N": n, "q": 1.0}) for n in (2, 3, 20)),
+        ("cradle", {"N": 2}),
+        ("cradle", {"N": 2, "q": 1.5}),
         ("pendulum_block", {}),
         ("spheres", {"eta": 0.0}),
-        ("super_ball", {"q": 1.0}),
         ("two_blocks", {"r": 1.0}),
         ("wall", {}),
     ],

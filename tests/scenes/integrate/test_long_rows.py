@@ -8,7 +8,6 @@ import pytest
 
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.regularised import collide
-from corollary.scenes.models import modal
 from corollary.scenes.row import RowOfBodies
 
 pytestmark = pytest.mark.whole
@@ -60,21 +59,6 @@ def test_a_finer_step_only_changes_what_the_coarser_one_left_open():
     assert max(abs(a - b) for a, b in zip(coarse.velocities, fine.velocities, strict=True)) < 5e-12
     assert coarse.duration == pytest.approx(fine.duration, rel=1e-11)
     assert coarse.overlaps == pytest.approx(fine.overlaps, abs=1e-11)
-
-
-def test_springs_agree_with_their_exact_swings():
-    found, exact = collide(cradle(40, 1.0), 1e-13), modal.collide(cradle(40, 1.0))
-    assert found.velocities == pytest.approx(exact.velocities, abs=1e-12)
-    assert found.openings == exact.openings == 39
-    assert found.overlaps == pytest.approx(exact.overlaps, abs=1e-12)
-
-
-def test_a_row_of_springs_in_the_chapters_units():
-    """Ahead of the wave there is nothing but rounding, which must not be taken for a motion."""
-    line = RowOfBodies((0.1,) * 20, (1.0, *(0.0,) * 19), (0.0,) * 19, (Contact(1e4, 1.0),) * 19)
-    assert modal.collide(line).velocities == pytest.approx(
-        modal.collide(cradle(20, 1.0)).velocities, abs=1e-13
-    )
 
 
 def test_wide_gaps_hand_the_speed_on_ball_by_ball():

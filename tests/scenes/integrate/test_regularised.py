@@ -12,7 +12,7 @@ from corollary.scenes import line_collision
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import row_motion
 from corollary.scenes.integrate.regularised import collide
-from corollary.scenes.models import modal, two_bodies
+from corollary.scenes.models import two_bodies
 from corollary.scenes.row import RowOfBodies, conserved, guard
 from corollary.scenes.run import GuardFailed
 
@@ -118,16 +118,6 @@ def test_damping_never_gives_energy(line, eta):
         conserved(line, none, found.velocities)[0]
         <= conserved(line, none, line.velocities)[0] * (1.0 + 1e-9) + 1e-12
     )
-
-
-def test_springs_agree_with_their_exact_motion_in_a_crooked_case():
-    line = RowOfBodies(
-        (0.17, 0.32, 4.4, 0.45),
-        (0.88, 0.42, 0.12, -0.99),
-        (0.0, 0.41, 0.43),
-        (Contact(0.17, 1.0), Contact(0.13, 1.0), Contact(0.39, 1.0)),
-    )
-    assert collide(line, 1e-13).velocities == pytest.approx(modal.collide(line).velocities, abs=2e-12)
 
 
 def test_simultaneous_openings():

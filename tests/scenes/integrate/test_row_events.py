@@ -3,12 +3,11 @@
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.integrate import row_motion
-from corollary.scenes.integrate.regularised import collide, state_of
+from corollary.scenes.integrate.regularised import state_of
 from corollary.scenes.integrate.row_events import (
     TIME,
     active_part,
@@ -16,7 +15,6 @@ from corollary.scenes.integrate.row_events import (
     fly,
     inactive,
 )
-from corollary.scenes.integrate.row_rest import lasts_at_least
 from corollary.scenes.row import RowOfBodies
 
 SPHERE = Contact(1.0, 1.5)
@@ -83,38 +81,3 @@ def test_what_flies_freely_is_no_part_of_what_is_followed():
     touching[19], y[2 * 19 + 1] = False, -1.0
     assert active_part(y, touching, row, TIME, 1.0, 3, 1e-14) == (6, 24)
     assert active_part(y, touching, row, TIME, 0.1, 3, 1e-14) == (6, 14)
-
-
-@given(
-    st.lists(st.floats(0.1, 10.0), min_size=2, max_size=4),
-    st.lists(st.floats(-1.0, 1.0).map(lambda v: round(v, 6)), min_size=4, max_size=4),
-    st.booleans(),
-    st.sampled_from((1.0, 1.5, 3.0)),
-)
-@settings(max_examples=30)
-def test_no_collision_lasts_shorter_than_it_must(masses, speeds, wall, q):
-    count = len(masses)
-    if wall:
-        masses[0], speeds[0] = math.inf, 0.0
-    contacts = (Contact(1.0, q),) * (count - 1)
-    line = RowOfBodies(tuple(masses), tuple(speeds[:count]), (0.0,) * (count - 1), contacts)
-    y, touching, row = state_of(line)
-    found = collide(line, 1e-9)
-    assert found.duration >= 2.0 * lasts_at_least(y, touching, row, 1e-9)
-
-
-def test_damping_and_weight_leave_no_bound():
-    for contact, weight in ((Contact(1.0, 1.5, 0.1), 0.0), (SPHERE, 9.8)):
-        y, touching, row = state_of(
-            RowOfBodies((math.inf, 1.0), (0.0, -1.0), (0.0,), (contact,), weight=weight)
-        )
-        assert lasts_at_least(y, touching, row, 1e-9) == 0.0
-
-
-def test_what_would_take_far_too_many_steps_is_given_up_early():
-    line = RowOfBodies((math.inf, 1e-10, 1.0), (0.0, -1.0, -1.0), (0.0, 0.1), (SPHERE,) * 2)
-    y, touching, row = state_of(line)
-    room = [[0.0] * len(y) for _ in range(row_motion.ROOM)]
-    end, *_, evaluations = row_motion.follow(y, touching, row, [0.0] * 2, [0.0] * 2, 1e-12, 50_000, room)
-    assert end == row_motion.TOO_LONG
-    assert evaluations < 100_000

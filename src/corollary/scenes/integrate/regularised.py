@@ -11,7 +11,6 @@ from corollary.scenes.row import (
     Conserved,
     RowOfBodies,
     RowResult,
-    caught_between,
     guard,
     in_si,
     in_units,
@@ -19,11 +18,8 @@ from corollary.scenes.row import (
 )
 from corollary.scenes.run import GuardFailed, Outcome
 
-# A middle ball 1e-6 as heavy as its neighbours takes 26 000 steps.
-MOST_STEPS, MOST_COMPILED = 400_000, 600_000
-# Where a ball may be thrown to and fro (`caught_between`) a run that is not over after so many steps, or a few more than balls that all
-# move need at least, goes on only if so many rough ones lead to its end: together they take less than a second.
-THROWN, FIRST_STEPS, OF_ALL, MOST_ROUGH = 1e3, 1000, 20_000, 40_000
+# A middle ball 1e-6 as heavy as its neighbours takes 26 000 steps, one of 1e-7 82 000: a few seconds.
+MOST_STEPS, MOST_COMPILED = 100_000, 600_000
 OUTCOMES: dict[int, Outcome] = {
     row_motion.RELEASED: "released",
     row_motion.MISSED: "missed",
@@ -51,8 +47,7 @@ Seen = tuple[int, float, float, int, int, float]
 class LaidOut:
     """A line in its natural units as a kernel takes it, plain or compiled, once for all runs; with room to work in.
 
-    A run takes `most` steps at most; if it is not over after the `first`, its end must be foreseen. Raises BadSetting when it is to be
-    `compiled` and numba is missing.
+    A run takes `most` steps at most. Raises BadSetting when it is to be `compiled` and numba is missing.
     """
 
     def __init__(self, line: RowOfBodies, compiled: bool) -> None:
@@ -66,19 +61,21 @@ class LaidOut:
         self.kernel: Callable[..., tuple[Seen, Conserved, Conserved]] = kernel
         self.start, self.touching, self.row = start, touching, tuple(row)
         self.deepest, self.hardest = deepest, deepest.copy()
-        self.first = min(FIRST_STEPS, OF_ALL // len(line.masses)) if _may_throw(line) else self.most
 
     def follow(self, tolerance: float) -> RowResult:
         """The same as `collide` for what is laid out; the result is in natural units, too."""
-        first, most = self.first, self.most
-        state, seen, before, after = self._steps(tolerance, first)
-        if seen[0] == row_motion.TOO_LONG and first < most and _ends(self.line):
-            state, seen, before, after = self._steps(tolerance, most)
+        y = self.start.copy()
+        seen, before, after = self.kernel(
+            y, self.touching, self.row, self.deepest, self.hardest, tolerance, self.most, self.room
+        )
+        state = list(map(float, y))
         end, began, ended, openings, evaluations, strain = seen
         if end == row_motion.TOO_LONG:
             damped = any(c.eta > 0.0 for c in self.line.contacts)
             remedy = "Choose less damping" if damped else "Make the masses less unequal"
-            raise GuardFailed(f"The collision does not end within {most} steps. {remedy} or the balls fewer.")
+            raise GuardFailed(
+                f"The collision does not end within {self.most} steps. {remedy} or the balls fewer."
+            )
         if end == row_motion.NO_STEP:
             raise GuardFailed(
                 "No step is small enough to follow the collision. Make the settings less extreme."
@@ -98,26 +95,6 @@ class LaidOut:
             strain=strain,
             left=tuple([-overlap for overlap in state[1::2]]),
         )
-
-    def _steps(self, tolerance: float, most: int) -> tuple[list[float], Seen, Conserved, Conserved]:
-        """The state at the end, and what the kernel gives; the largest overlaps and forces are left where they are laid out."""
-        y = self.start.copy()
-        given = self.kernel(
-            y, self.touching, self.row, self.deepest, self.hardest, tolerance, most, self.room
-        )
-        return list(map(float, y)), *given
-
-
-def _may_throw(line: RowOfBodies) -> bool:
-    """Whether a ball may be thrown to and fro for long; what is damped or weighed is not foreseen."""
-    unequal = max(line.masses) > THROWN * min(line.masses) and caught_between(line.masses) > THROWN
-    return unequal and line.weight == 0.0 and all(c.eta == 0.0 for c in line.contacts)
-
-
-def _ends(line: RowOfBodies) -> bool:
-    from corollary.scenes.integrate.outlook import rough_steps  # here, since it brings numpy
-
-    return rough_steps(line, MOST_ROUGH) < MOST_ROUGH
 
 
 def state_of(line: RowOfBodies) -> tuple[list[float], list[bool], tuple[Sequence[float], ...]]:

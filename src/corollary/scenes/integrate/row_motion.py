@@ -14,7 +14,7 @@ events, rest, law, stages = module("row_events"), module("row_rest"), module("ro
 active_part, settle, inactive = events.active_part, events.settle, events.inactive
 first_touch, fly, suited, due = events.first_touch, events.fly, events.suited, events.due
 nears_zero, crossing = events.nears_zero, events.crossing
-stays, at_rest, lasts_at_least = rest.stays, rest.at_rest, rest.lasts_at_least
+stays, at_rest = rest.stays, rest.at_rest
 push, slope, step, value_in, stride_for = law.push, law.slope, law.step, law.value_in, law.stride_for
 conserved = law.conserved
 damped_force, largest_force, largest_overlap = law.damped_force, law.largest_force, law.largest_overlap
@@ -36,8 +36,6 @@ MOST_TRIALS = 80
 # The first stride goes with the eighth root of the tolerance, the order of the method: two runs that began alike would share the errors
 # of their first steps, and their difference would not show them.
 FIRST_STRIDE, LEAST_STRIDE = 1.6, 1e-12
-# After so many steps, and whenever they are twice as many, it is asked whether those that are left could be enough.
-FIRST_LOOK = 1000
 
 
 @kernel
@@ -125,7 +123,7 @@ def note_peaks(variable, power, x, h, y, touching, row, first, last, deepest, ha
 
 @kernel
 def follow(y, touching, row, deepest, hardest, tolerance, most, room):
-    """Moves the state y (at time zero) to the end of the collision, in at most so many steps; sooner given up if these cannot be enough.
+    """Moves the state y (at time zero) to the end of the collision, in at most so many steps.
 
     `deepest` and `hardest` become the largest overlap and force of each contact. `room` is ROOM rows as long as y. Gives how it ended
     and when it began to touch, when it last opened, the openings, the evaluations, and the strain (`RowResult`).
@@ -145,14 +143,7 @@ def follow(y, touching, row, deepest, hardest, tolerance, most, room):
     begins = FIRST_STRIDE * tolerance**0.125
     variable, power, stride, lasted, landing = TIME, 1, 0.0, begins, False
     first, last, margin = 0, count, MARGIN
-    look, seen = FIRST_LOOK, 0.0
-    for done in range(most):
-        if 2 * done == look:
-            seen = time
-        elif done == look:
-            if lasts_at_least(y, touching, row, tolerance) * done > (most - done) * (time - seen):
-                return TOO_LONG, began, ended, openings, spent, strain
-            look, seen = 2 * look, time
+    for _ in range(most):
         settle(y, touching, first, last)
         # Before the inactive: a contact that its damping holds for ever soon has too little in it to be seen.
         if damped and stays(y, touching, row, tolerance):
