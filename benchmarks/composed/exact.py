@@ -90,43 +90,6 @@ def nearly_zeno(draw: Random) -> Case:
     return one("nearly Zeno", 0.7, h, 0.0, (Weight(G), HardWall((1.0,), restitution=e)), until, true)
 
 
-def on_a_lift(draw: Random) -> Case:
-    """Bounces on a floor that rises steadily: those of a floor at rest, seen from there; at last it lies there."""
-    e, h, w = draw.uniform(0.6, 1.0), draw.uniform(0.3, 1), draw.uniform(0.2, 2)
-    g, y, v, t, until = mp.mpf(G), mp.mpf(h), -mp.mpf(w), mp.mpf(0), draw.uniform(1, 3)
-    while True:
-        hit = (v + mp.sqrt(v * v + 2 * g * y)) / g
-        at_rest = t + hit == t
-        if at_rest or t + hit > until:
-            break
-        t, y, v = t + hit, mp.mpf(0), -e * (v - g * hit)
-    left = mp.mpf(0) if at_rest else until - t
-    true = y + v * left - g * left**2 / 2 + w * until, v - g * left + w
-    return one(
-        "on a lift", 0.2, h, 0.0, (Weight(G), HardWall((1.0,), 0.0, restitution=e, velocity=w)), until, true
-    )
-
-
-def receding_wall(draw: Random) -> Case:
-    """An elastic wall that runs away from a ball between it and one at rest takes speed each time, until it is not caught again."""
-    w, v, wide = draw.uniform(0.3, 0.9), draw.uniform(5, 9), 1.0
-    until = draw.uniform(4, 10)
-    x, u, t = mp.mpf("0.5"), mp.mpf(v), mp.mpf(0)
-    while True:
-        if u > w:
-            hit = (wide + w * t - x) / (u - w)
-            after = 2 * w - u
-        elif u < 0:
-            hit, after = -x / u, -u
-        else:
-            break
-        if t + hit > until:
-            break
-        x, t, u = x + u * hit, t + hit, after
-    forces = HardWall((1.0,), 0.0), HardWall((-1.0,), -wide, velocity=-w)
-    return one("receding wall", 1.0, 0.5, v, forces, until, (x + u * (until - t), u))
-
-
 def heavy_meets_light(draw: Random) -> Case:
     """Three balls far apart, masses over nine powers of ten: one elastic collision after another."""
     m = [10.0 ** draw.uniform(-6, 3) for _ in range(3)]
@@ -373,8 +336,6 @@ FAMILIES = (
     to_and_fro,
     tired_between_walls,
     nearly_zeno,
-    on_a_lift,
-    receding_wall,
     heavy_meets_light,
     relay,
     rocket_in_syrup,

@@ -304,27 +304,6 @@ def flung_on_a_string(draw: Random) -> Case:
     return Case("flung on a string", scene, {V: tuple(truth_v), X: tuple(truth_x)}, (until,))
 
 
-def pushed_sideways(draw: Random) -> Case:
-    """A slanted elastic wall comes on: what meets it leaves with twice its speed more along the normal, and never meets it again."""
-    tilt, w, v = draw.uniform(-1, 1), draw.uniform(0.5, 3), (draw.uniform(-3, 3), -draw.uniform(1, 4))
-    with mp.workdps(30):
-        n = math.sin(tilt), math.cos(tilt)
-        long = mp.hypot(*map(mp.mpf, n))
-        n_ = [mp.mpf(k) / long for k in n]
-        gap, comes = n_[1] * 1, w - (v[0] * n_[0] + v[1] * n_[1])
-        hit = gap / comes
-        if hit <= 0:
-            hit, comes = mp.mpf(100), mp.mpf(0)
-        until = float(hit) * 1.7 if comes else 3.0
-        after = [u + 2 * comes * k for u, k in zip(v, n_, strict=True)]
-        first = min(hit, until)
-        place = [
-            x + u * first + k * (until - first) for x, u, k in zip((0, 1), map(mp.mpf, v), after, strict=True)
-        ]
-    wall = HardWall(n, velocity=w)
-    return one("pushed sideways", Body(1.0, (0.0, 1.0), v), (wall,), until, place, after)
-
-
 def around_a_spring(draw: Random) -> Case:
     """A puck on a spring without length goes round an ellipse, a hundred times; the other end is a body, too."""
     a, b, k, until = draw.uniform(0.2, 5), draw.uniform(0.2, 5), draw.uniform(50, 500), draw.uniform(10, 40)
@@ -359,6 +338,5 @@ FAMILIES = (
     nearly_upright,
     unequal_dumbbell,
     flung_on_a_string,
-    pushed_sideways,
     around_a_spring,
 )

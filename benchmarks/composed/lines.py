@@ -164,40 +164,6 @@ def rolling_down(draw: Random) -> Case:
     return Case("rolling down", scene, {V: (a * t * c, -a * t * s), S: (turning * t,)}, ())
 
 
-def spinning_bounce(draw: Random) -> Case:
-    """A spinning ball hits the floor: it slips through the hit, or grips."""
-    r, m, mu, e = draw.uniform(0.02, 0.2), draw.uniform(0.1, 2), draw.uniform(0.01, 0.6), draw.uniform(0.3, 1)
-    u, v, spin = draw.uniform(-4, 4), draw.uniform(1, 5), draw.uniform(-60, 60)
-    slip, normal = u + spin * r, (1 + e) * v
-    grip = 2 / 7 * abs(slip) <= mu * normal
-    change = -2 / 7 * slip if grip else -math.copysign(mu * normal, slip)
-    scene = Scene(
-        (Body(m, (0.0, 1.0), (u, -v), r, spin=spin),),
-        (HardWall((0.0, 1.0), 0.0, e, mu),),
-        until=(1 - r) / v + 0.1,
-    )
-    return Case("spinning bounce", scene, {V: (u + change, e * v), S: (spin + 2.5 * change / r,)}, ())
-
-
-def closing_walls(draw: Random) -> Case:
-    """A ball between a wall at rest and one that comes nearer: each hit adds twice its speed."""
-    gap, w, v = draw.uniform(1, 3), draw.uniform(0.05, 0.4), draw.uniform(1, 4)
-    x, t, speed, wall = 0.0, 0.0, v, gap
-    for _ in range(draw.randint(1, 5)):
-        dt = (wall - x) / (speed + w)
-        t, wall = t + dt, wall - w * dt
-        x, speed = wall, speed + 2 * w
-        dt = x / speed
-        t, wall, x = t + dt, wall - w * dt, 0.0
-    left = 0.5 * wall / (speed + w)
-    scene = Scene(
-        (Body(1.0, (0.0,), (v,)),),
-        (HardWall((1.0,)), HardWall((-1.0,), -gap, velocity=w)),
-        until=t + left,
-    )
-    return Case("closing walls", scene, {V: (speed,), X: (speed * left,)}, (t + left,))
-
-
 def pulled_ever_harder(draw: Random) -> Case:
     """A block on a table under a force that grows: static friction holds it, then kinetic brakes it."""
     m, mu, rate = draw.uniform(0.3, 3), draw.uniform(0.1, 0.6), draw.uniform(1, 20)
@@ -213,39 +179,6 @@ def pulled_ever_harder(draw: Random) -> Case:
         until=t,
     )
     return Case("pulled ever harder", scene, {V: (v,), X: (1 + x,)}, (t,))
-
-
-def puck(draw: Random) -> Case:
-    """A puck slides over a table in a plane and stops."""
-    mu, v, angle = draw.uniform(0.05, 0.5), draw.uniform(0.5, 5), draw.uniform(0, 6.28)
-    stop = v / (mu * G)
-    t = stop * draw.uniform(0.3, 1.6)
-    slid = min(t, stop)
-    far, left = v * slid - mu * G * slid**2 / 2, (v - mu * G * slid) if t < stop else 0.0
-    c, s = math.cos(angle), math.sin(angle)
-    scene = Scene((Body(0.4, (1.0, 2.0), (v * c, v * s)),), (Friction(0, mu, G),), until=t)
-    return Case("puck", scene, {V: (left * c, left * s), X: (1 + far * c, 2 + far * s)}, (t,))
-
-
-def belt(draw: Random) -> Case:
-    """Stick and slip: a block on a belt, tied by a spring; it rides to where friction breaks, swings back and is caught."""
-    k, m, u = draw.uniform(20, 100), draw.uniform(0.5, 2), draw.uniform(0.05, 0.5)
-    mu, static = draw.uniform(0.1, 0.3), 0.0
-    static = mu * draw.uniform(1.3, 2)
-    w, shift, breaks = math.sqrt(k / m), mu * m * G / k, static * m * G / k
-    length = 3 * breaks + 1.0
-    # From x = breaks, v = u it swings about `shift` until its speed is u again: the phase of the swing gives when and where.
-    a = breaks - shift
-    lasts = (2 * math.pi - 2 * math.atan(a * w / u)) / w
-    back = shift - a
-    t1 = breaks / u
-    t = t1 + lasts + 0.4 * (breaks - back) / u
-    scene = Scene(
-        (NAIL, Body(m, (length,), (u,))),
-        (Spring((0, 1), k, length), Friction(1, mu, G, static, (u,))),
-        until=t,
-    )
-    return Case("belt", scene, {V: (0, u), X: (0, length + back + 0.4 * (breaks - back))}, (t,))
 
 
 def linear_drag(draw: Random) -> Case:
@@ -329,6 +262,6 @@ def contacts_by_pair(draw: Random) -> Case:
 
 FAMILIES = (
     rest_and_fall, friction_swing, slide_to_rest, oscillator_at_wall, bounces, zeno_and_slide, incline, rolling,
-    rolling_down, spinning_bounce, closing_walls, pulled_ever_harder, puck, belt, linear_drag,
+    rolling_down,   pulled_ever_harder,   linear_drag,
     quadratic_drag, quartic, driven, contacts_by_pair,
 )  # fmt: skip

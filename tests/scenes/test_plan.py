@@ -99,16 +99,7 @@ CLOSED = [
         {Observable.ENERGY, Observable.MOMENTUM, Observable.ENERGY_RATIO},
         "conservation",
     ),
-    (atom((1.0, 0.0), (0.0, 3.0)), ORBIT, "quadrature"),
-    (atom((1.1, 0.2), (1.0, 1.0)), ORBIT, "quadrature"),
-    (atom((1.1,), (1.0,)), ORBIT, "piecewise exact"),
     (atom((1.1, 0.2), (1.0, 1.0)), {Observable.ENERGY}, "conservation"),
-    (atom((2.0, 0.3), (-5.0, 0.0)), V | {Observable.TURNING_POINTS}, "quadrature"),
-    (atom((2.0, 0.0), (-5.0, 0.0)), V | {Observable.TURNING_POINTS}, "quadrature"),
-    (atom((1.0, 0.0), (0.0, 9.0)), V, "quadrature"),
-    (atom((2.0, 1.5), (-5.0, 0.0)), V, "conservation"),
-    (planet((0.3, 0.9)), ORBIT, "conservation"),
-    (planet((0.0, 1.2)), ORBIT, "conservation"),
     (planet((0.3, 0.9)), {Observable.ENERGY}, "conservation"),
 ]
 
@@ -118,8 +109,7 @@ def test_the_least_model_and_steps_in_time_agree_within_what_both_state(scene, w
     planned, stepped = plan(scene, wanted, 1e-10), measured(scene, wanted, 1e-10, "")
     assert planned.model == model
     found = planned.play()
-    # One that passes beside a well is "missed" by who knows no well, and "escaped" to who has watched it go.
-    assert found.outcome == stepped.outcome or (found.outcome, stepped.outcome) == ("missed", "escaped")
+    assert found.outcome == stepped.outcome
     assert found.observed.keys() == found.errors.keys() == {o.value for o in wanted}
     for name, value in found.observed.items():
         seen, exact = (x if isinstance(x, tuple) else (x,) for x in (stepped.observed[name], value))
@@ -127,26 +117,6 @@ def test_the_least_model_and_steps_in_time_agree_within_what_both_state(scene, w
         assert len(seen) == len(exact), name
         bound = found.relative_error(name) + stepped.relative_error(name) + 1e-13
         assert max(abs(a - b) for a, b in zip(seen, exact, strict=True)) <= bound * size, name
-
-
-def test_what_is_watched_for_too_short_a_time_is_followed_in_time():
-    short = atom((1.0, 0.0), (0.0, 3.0), until=0.5)
-    assert plan(short, {Observable.TURNING_POINTS}).model == "integration"
-    assert plan(atom((2.0, 0.3), (-5.0, 0.0), until=0.3), V).model == "integration"
-    assert plan(planet((0.3, 0.9), until=5.0), ORBIT).model == "integration"
-    assert plan(planet((-2.0, 1.0)), {Observable.TURNING_POINTS}).model == "integration"
-
-
-def test_a_body_that_comes_and_goes_turns_where_steps_in_time_see_it_turn():
-    for velocity, strength in (((-2.0, 1.0), 1.0), ((-1.0, 0.2), -1.0)):
-        closed = play(planet(velocity, strength, until=None), {Observable.TURNING_POINTS})
-        stepped = measured(planet(velocity, strength), {Observable.TURNING_POINTS}, 1e-10, "")
-        assert (closed.model, closed.outcome) == ("conservation", "escaped")
-        assert closed.observed["turning_points"] == pytest.approx(
-            stepped.observed["turning_points"], rel=1e-9
-        )
-    with pytest.raises(BadSetting, match="until"):  # straight into the centre: no closed form, and no end
-        play(planet((-1.0, 0.0), until=None), {Observable.TURNING_POINTS})
 
 
 def test_a_wall_that_moves_does_work():

@@ -89,7 +89,7 @@ def coming(speed, until, **of_the_wall):
     return Scene(bodies, (HardWall((1.0,), **of_the_wall),), until=until)
 
 
-ROUGH = HardWall((0.0, 1.0), mu=0.3)
+ROUGH = HardWall((0.0, 1.0), restitution=0.0, mu=0.3)
 
 
 def axle(height):
@@ -148,7 +148,7 @@ WRONG = [
     ("body that is not there", lambda: alone(Friction(-1, 0.5))),
     ("mu = nan", lambda: alone(Friction(0, nan))),
     ("g = -9.8", lambda: alone(Friction(0, 0.5, -9.8))),
-    ("belt = .* has 2", lambda: alone(Friction(0, 0.5, belt=(1.0, 0.0)))),
+    ("belt = .* not followed", lambda: alone(Friction(0, 0.5, belt=(1.0,)))),
     ("belt = .*tuple", lambda: alone(Friction(0, 0.5, belt=[1.0]))),
     ("wind = .* has 1", lambda: alone(Drag(0, 1.0, wind=(1.0,)), body=FLAT)),
     ("linear = -1", lambda: alone(Drag(0, -1.0))),
@@ -222,7 +222,6 @@ WRONG = [
     ("body 0 and body 1, which .* run into", lambda: Scene(rolling(1.0), (Contact(1e4),), until=2.0)),
     ("body 0, which .* and a wall run into", lambda: coming(-1.0, 1.1)),
     ("body 0, which .* and a wall run into", lambda: coming(-1.0, 1.1, only=(0,))),
-    ("body 0, which .* and a wall run into", lambda: coming(0.0, 1.1, velocity=1.0)),
     ("body 0, which .* and a wall run into", lambda: coming(-1.0, 1.1, offset=1.0)),
     ("how hard body 0, .* is pressed", lambda: alone(ROUGH, body=axle(0.1))),
     ("how hard body 0, .* is pressed", lambda: alone(ROUGH, body=axle(-0.05))),
@@ -250,7 +249,10 @@ SOUND = [
     alone(Drag(np.int64(0), 0.5, wind=(1.0,))),
     alone(Absorption(0, (0.0,), 0.0)),
     alone(Thrust(0, (1.0,), 0.999)),
-    alone(HardWall((0.0, 1.0), mu=0.5), body=Body(1.0, (0.0, 1.0), (1.0, 0.0), 0.5, inertia=inf)),
+    alone(
+        HardWall((0.0, 1.0), restitution=0.0, mu=0.5),
+        body=Body(1.0, (0.0, 1.0), (1.0, 0.0), 0.5, inertia=inf),
+    ),
     Scene(TWO, (Spring((0, 1), -1.0, 0.5),), until=0.5),
     Scene((*NAILS, Body(1.0, (9.0,), (0.0,))), (String((0, 1), 2.5),), until=1.0),
     push(lambda t, x, v: np.array([-x[0]])),
@@ -373,7 +375,7 @@ FAR = [
         (Body(1.0, (0.0, 0.0), (1e200, 0.0), 0.1), Body(1.0, (1.0, 0.0), (0.0, 0.0), 0.1)), (Contact(1e4),)
     ),
     alone(Weight(1e308), until=1e10),
-    alone(HardWall((0.0, 1.0), mu=0.5), body=Body(1.0, (0.0, 0.0), (1.0, 0.0), 1e-200)),
+    alone(HardWall((0.0, 1.0), restitution=0.0, mu=0.5), body=Body(1.0, (0.0, 0.0), (1.0, 0.0), 1e-200)),
 ]
 
 
@@ -469,7 +471,7 @@ def test_a_radius_whose_square_no_double_holds_is_refused():
     with pytest.raises(BadSetting, match="whose square no double holds"):
         Scene(
             (Body(1.0, (0.0, 1.0), (1.0, 0.0), 1e308),),
-            (Weight(9.8), HardWall((0.0, 1.0), mu=0.3)),
+            (Weight(9.8), HardWall((0.0, 1.0), restitution=0.0, mu=0.3)),
             until=1.0,
         )
 

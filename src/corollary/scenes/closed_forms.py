@@ -1,4 +1,4 @@
-"""Composed scenes that a ready model answers without time steps: rows of bodies, two spheres, a well, a fixed centre."""
+"""Composed scenes that a ready model answers without the loop of composed scenes: rows of bodies, and two spheres."""
 
 from __future__ import annotations
 
@@ -7,28 +7,21 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from corollary.formula.ball import Ball
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.weight import Weight
-from corollary.scenes.forces.well import Well
 from corollary.scenes.integrate.single_contact import collided
 from corollary.scenes.line_collision import Collided, collide
-from corollary.scenes.models.central import in_well, orbit
-from corollary.scenes.models.certain import Balls, Evaluated, found, sign
+from corollary.scenes.models.certain import found
 from corollary.scenes.models.pair import Pair, refuse_too_soft
 from corollary.scenes.models.two_bodies import collision
 from corollary.scenes.row import RowOfBodies
-from corollary.scenes.run import GuardFailed, Measurement, Observable, Observed, Run, components
+from corollary.scenes.run import Measurement, Observable, Observed, Run, components
 from corollary.scenes.scene import Scene
 
 OF_BODIES_ALONE = {Observable.IMPULSE, Observable.MOMENTUM, Observable.ENERGY}
 BEFORE_AND_AFTER = {Observable.VELOCITIES, Observable.ENERGY_RATIO} | OF_BODIES_ALONE
 ALONE_ON_A_LINE = BEFORE_AND_AFTER | {Observable.DURATION, Observable.LARGEST_OVERLAP, Observable.PEAK_FORCE}
 ON_A_LINE = ALONE_ON_A_LINE - OF_BODIES_ALONE
-OF_AN_ORBIT = {Observable.PERIOD, Observable.TURNING_POINTS}
-# A period is seen when the distance has come back to its least value twice, both turning points after one; until then those are met so far.
-SEEN = {Observable.PERIOD: 2.0, Observable.TURNING_POINTS: 1.0}
 
 
 def on_a_line(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
@@ -149,95 +142,3 @@ def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) 
     run = collided(pair, tolerance)
     of_each = replace(run, measured=run.measured | {"impulse": run.measured["impulses"]})
     return of_each.only(o.value for o in observe)
-
-
-def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
-    """One body in a well: bound, its period and turning points; or its velocity once it has left."""
-    if len(scene.bodies) != 1 or math.isinf(scene.bodies[0].mass):
-        return None
-    (body,) = scene.bodies
-    if scene.axes == 1 and body.place[0] < 0.0:
-        return None
-    match scene.forces:
-        case (Well() as well,) if well.d < well.b and math.hypot(*body.place) >= well.wall:
-            pass
-        case _:
-            return None
-    (x, y), (u, v) = (*body.place, 0.0)[:2], (*body.velocity, 0.0)[:2]
-    played = found(lambda: in_well(well, body.mass, (x, y), (u, v), scene.axes == 2))
-    until = math.inf if scene.until is None else scene.until
-    match played.outcome:
-        case "bound":
-            period = played.observed["period"]
-            fits = set(observe) <= OF_AN_ORBIT and isinstance(period, float) and _seen(observe, until, period)
-        case "escaped":
-            gone = played.observed["duration"]
-            # One that starts across the radius turns at once, which these integrals do not count.
-            turned = {Observable.TURNING_POINTS} if played.observed["turning_points"] else set[Observable]()
-            observable = {Observable.VELOCITIES} | turned
-            fits = set(observe) <= observable and isinstance(gone, float) and until >= gone
-        case _:
-            fits = set(observe) <= {Observable.VELOCITIES}
-    return played.only(o.value for o in observe) if fits else None
-
-
-def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
-    """One body under an inverse-square force from a wall-like body at rest in the origin: its orbit closes."""
-    if len(scene.bodies) != 2 or not set(observe) <= OF_AN_ORBIT:
-        return None
-    body, centre = scene.bodies
-    at_rest = math.isinf(centre.mass) and not any(centre.place) and not any(centre.velocity)
-    match scene.forces:
-        case (InverseSquare(ends=ends, strength=strength),) if (
-            set(ends) == {0, 1} and at_rest and any(body.place)
-        ):
-            pass
-        case _:
-            return None
-    (x, y), (u, v) = (*body.place, 0.0)[:2], (*body.velocity, 0.0)[:2]
-    run = found(lambda: _orbit(strength, body.mass, (x, y), (u, v)))
-    if run.outcome == "missed":
-        return None
-    if run.outcome == "escaped":
-        # It turns once at most; when, no closed form says.
-        if scene.until is not None or Observable.PERIOD in observe:
-            return None
-    else:
-        period = run.observed["period"]
-        if scene.until is not None and isinstance(period, float) and not _seen(observe, scene.until, period):
-            return None
-    _refuse_overlap(scene, min([math.hypot(x, y), *components(run.observed["turning_points"])]))
-    return run.only(o.value for o in observe)
-
-
-def _seen(observe: Collection[Observable], until: float, period: float) -> bool:
-    """Whether by the end (s) everything that is asked of an orbit has shown."""
-    return until >= period * max(SEEN[what] for what in observe)
-
-
-def _refuse_overlap(scene: Scene, nearest: float) -> None:
-    """Raises GuardFailed where two bodies that no contact acts between come so near (m) that they overlap, as who follows them does."""
-    body, centre = scene.bodies
-    solid = body.radius > 0.0 and centre.radius > 0.0 and not scene.passes
-    if solid and nearest < body.radius + centre.radius:
-        raise GuardFailed(
-            f"{scene.name}: bodies 0 and 1 come as near as {nearest:.6g} m, where they overlap, and no contact acts between them. "
-            "Give them one, or radius zero, or name them in passes=…"
-        )
-
-
-def _orbit(
-    strength: float, mass: float, place: tuple[float, float], velocity: tuple[float, float]
-) -> Evaluated:
-    """As a run; missed when the body meets the centre."""
-    seen = orbit(strength, mass, place, velocity)
-    if seen is None:
-        return Evaluated("missed", {}, "conservation", "it meets the centre")
-    if seen.farthest is None or seen.period is None:
-        (x, y), (u, v) = (tuple(map(Ball, each)) for each in (place, velocity))
-        turns = (seen.nearest,) if sign(x * u + y * v) < 0 else ()
-        why = "it comes and goes: energy and angular momentum give the nearest distance, the root of a quadratic"
-        return Evaluated("escaped", {"turning_points": turns}, "conservation", why)
-    why = "bound to a fixed centre: energy and angular momentum give the orbit, Kepler's third law its period"
-    values: dict[str, Balls] = {"turning_points": (seen.nearest, seen.farthest), "period": seen.period}
-    return Evaluated("bound", values, "conservation", why)

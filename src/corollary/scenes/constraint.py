@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 State = Sequence[float]
 
@@ -16,7 +16,7 @@ State = Sequence[float]
 class Constraint:
     """A gap (m) that is never negative or, with `two_sided`, always zero; the bodies are held by a force along its row.
 
-    d(gap)/dt = row . velocity + driven, and d2(gap)/dt2 = row . acceleration + drift. What closes with a speed opens again with
+    d(gap)/dt = row . velocity, and d2(gap)/dt2 = row . acceleration + drift. What closes with a speed opens again with
     `restitution` times that, or with up to the part `less` less, another one each time: what comes of a run that differs by so much.
     """
 
@@ -25,7 +25,6 @@ class Constraint:
     gap: Callable[[float, State], float]
     row: Callable[[float, State], list[float]]
     drift: Callable[[float, State], float]
-    driven: float = 0.0
     restitution: float = 0.0
     two_sided: bool = False
     less: float = 0.0
@@ -37,7 +36,7 @@ class Constraint:
 
 @dataclass(frozen=True, slots=True)
 class Rub:
-    """Dry friction of one body on one surface, on a slip row . velocity - driven (m/s), by Coulomb's law.
+    """Dry friction of one body on one surface, on a slip row . velocity (m/s), by Coulomb's law.
 
     While it slips the force is `kinetic` times the normal force against it; at rest it is whatever keeps it at rest, up to `static`
     times that. The normal force is `normal` (N) at a time, or that of the constraint it is `pressed` by.
@@ -48,17 +47,5 @@ class Rub:
     row: list[float]
     kinetic: float
     static: float
-    driven: float = 0.0
     normal: Callable[[float], float] | None = None
     pressed: Constraint | None = None
-
-
-def farther_off(constraint: Constraint, start: State, shift: float) -> Constraint:
-    """A wall (or the end of a string) that much farther off, if what it stops is not there from the start."""
-    if constraint.two_sided or constraint.gap(0.0, start) <= 2.0 * abs(shift):
-        return constraint
-
-    def gap(time: float, state: State) -> float:
-        return constraint.gap(time, state) + shift
-
-    return replace(constraint, gap=gap)

@@ -147,12 +147,6 @@ def _handed_on(scene: Scene, own: Sequence[float]) -> list[float]:
     return found
 
 
-def largest_of_body(scene: Scene, what: Observable, each: Sequence[float]) -> list[float]:
-    """For every component the largest of its body's, where bodies have such; otherwise of all."""
-    axes = scene.axes if what in BY_BODY else len(each) or 1
-    return [max(each[i - i % axes : i - i % axes + axes]) for i in range(len(each))]
-
-
 def apart_by(a: Observed, b: Observed) -> tuple[float, ...]:
     """How far two values are apart, component by component; infinitely where they have not as many."""
     first, second = components(a), components(b)
@@ -201,27 +195,11 @@ def _followed(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, T
     with part(0.25, 0.7):
         right = follow(scene, fine)
     try:
-        with part(0.7, 0.95):
+        with part(0.7, 1.0):
             other = follow(perturbed(scene), max(tolerance, FINER * FINEST), share=FEWER, less=CHANGED)
     except (BadSetting, GuardFailed):
         other = None
     return rough, right, other
-
-
-@lru_cache(maxsize=8)
-def _grazing(scene: Scene, tolerance: float) -> tuple[Trajectory | None, ...]:
-    """The same with touches a little later, and a little earlier, where errors decide about one."""
-    tolerance, rough, right, _ = _paths(scene, tolerance)
-    if min(rough.grazes, right.grazes) == math.inf:
-        return ()
-    found: list[Trajectory | None] = []
-    for shift, begin in ((rough.near, 0.95), (-rough.near, 0.975)):
-        try:
-            with part(begin, begin + 0.025):
-                found.append(follow(scene, min(max(tolerance, FINER * FINEST), COARSEST), shift=shift))
-        except (BadSetting, GuardFailed):
-            found.append(None)
-    return tuple(found)
 
 
 @np.errstate(all="ignore")  # what leaves the range of a computer is found in the values
@@ -235,7 +213,7 @@ def measured(
     GuardFailed as `follow` does.
     """
     tolerance, rough, right, other = _paths(scene, tolerance)
-    shifted = _grazing(scene, tolerance)
+    grazes = min(rough.grazes, right.grazes)
     hot = hottest(scene, right)
     sizes = _natural(scene, right, hot)
     found: dict[str, Measurement] = {}
@@ -287,14 +265,6 @@ def measured(
         # And squeezes bodies as rounding of their places lets it.
         if contact_span(right):
             rounding += ROUNDED * math.ulp(right.long) / right.shallow * max(condition or 1.0, 1.0) * size
-        # One that cannot be followed leaves nothing certain.
-        beside = [
-            apart_by(look(scene, path, what, times), value) if path else (size,) * len(apart)
-            for path in shifted
-        ]
-        decided = largest_of_body(
-            scene, what, [max(each) for each in zip(*beside, strict=True)] or [0.0] * len(apart)
-        )
         # Places keep what velocities forget: that of several steps.
         several = 3.0 if right.fades and what is Observable.TRAJECTORY else 1.0
         least = several * step_off * span + rounding + _extra(scene, right, what)
@@ -303,7 +273,7 @@ def measured(
         errors = tuple(
             SAFETY * each
             + least
-            + 1.01 * decided[i]  # the others are off by errors of their own, and of what was changed
+            + (2.0 * size if grazes < math.inf else 0.0)  # a touch that errors decide leaves nothing certain
             + (share[i] if len(share) == len(apart) and what in BY_BODY else 0.3 * max(share) * span)
             for i, each in enumerate(apart)
         )
@@ -318,9 +288,9 @@ def measured(
         warnings.append(
             "two runs of different accuracy differ in the order of what happens: contacts all but coincide"
         )
-    if (grazes := min(rough.grazes, right.grazes)) < math.inf:
+    if grazes < math.inf:
         warnings.append(
-            f"a touch grazes at about {grazes:.6g} s: whether it happens is within the error, and in the errors stated"
+            f"a touch grazes at about {grazes:.6g} s: whether it happens is within the error, and nothing is certain: move a body a little"
         )
     worst = max((m.condition or 0.0 for m in found.values()), default=0.0)
     if worst > ILL:
@@ -328,7 +298,7 @@ def measured(
             f"a small change of the data comes out {worst:.0e} times larger or more (chaos, or an edge): "
             f"at most {max(16.0 - math.log10(worst), 0.0):.0f} digits can be had"
         )
-    spent = sum(path.evaluations for path in (rough, right, other, *shifted) if path)
+    spent = sum(path.evaluations for path in (rough, right, other) if path)
     return Run(found, spent, outcome(scene, right), tuple(warnings))
 
 
@@ -378,12 +348,12 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
     if what is Observable.PERIOD:
         return unequal(scene, path)
     if what is Observable.VELOCITIES:
-        return path.unsure
+        return path.dropped
     if what is Observable.SPINS:
         turns = (b.mass * b.radius / b.resists_spin for b in scene.bodies if math.isfinite(b.resists_spin))
-        return path.unsure * max([1.0, *filter(math.isfinite, turns)])
+        return path.dropped * max([1.0, *filter(math.isfinite, turns)])
     if what is Observable.TRAJECTORY:
-        return path.astray * path.time + BOUNCED * len(path.rests) * path.allowed
+        return BOUNCED * len(path.rests) * path.allowed
     if what in (Observable.IMPULSE, Observable.MOMENTUM):
-        return path.unsure * max((b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0)
+        return path.dropped * max((b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0)
     return 0.0

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from numbers import Real
 
-from corollary.scenes.closed_forms import in_a_plane, in_a_well, on_a_line, round_a_centre
+from corollary.scenes.closed_forms import in_a_plane, on_a_line
 from corollary.scenes.motion.conserved import (
     energy,
     energy_terms,
@@ -77,10 +77,10 @@ def plan(
     def follow() -> Run:
         runs = cheap
         if left:
-            from corollary.scenes.far import measured  # here, since it brings scipy
+            from corollary.scenes.measure import measured  # here, since it brings scipy
 
             with _within_range(scene):
-                runs = [*cheap, *measured(scene, left, tolerance, why, times)]
+                runs = [*cheap, measured(scene, left, tolerance, why, times)]
         return _within_doubles(scene, _together(runs, [o.value for o in wanted]))
 
     if left:
@@ -96,13 +96,13 @@ def _cheap(scene: Scene, wanted: Sequence[Observable], tolerance: float) -> list
         known = {}
     if len(known) == len(wanted):
         return [_at_the_start(scene, known)]
-    for special_case in (on_a_line, in_a_plane, in_a_well, round_a_centre):
+    for special_case in (on_a_line, in_a_plane):
         found = special_case(scene, wanted, tolerance)
         if found is not None:
             return [found]
     left = [o for o in wanted if o not in known]
     runs = [_at_the_start(scene, known)] if known else []
-    for special_case in (on_a_line, in_a_plane, in_a_well, round_a_centre):
+    for special_case in (on_a_line, in_a_plane):
         singly = (
             [o for o in left if special_case(scene, [o], tolerance) is not None] if len(wanted) > 1 else []
         )
@@ -177,7 +177,7 @@ def followed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
 
     Raises BadSetting for what cannot be observed, for a scene without an end of which that is asked, and as the integration does.
     """
-    from corollary.scenes.far import measured  # here, since it brings scipy
+    from corollary.scenes.measure import measured  # here, since it brings scipy
 
     known = {each.value: each for each in Observable}
     if strange := sorted(set(observe) - known.keys()):
@@ -188,9 +188,8 @@ def followed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
         raise BadSetting("a trajectory is looked up where the scene ends: say until=…")
     times = (scene.until,) if scene.until is not None else ()
     with _within_range(scene):
-        runs = measured(scene, {known[name] for name in observe}, tolerance, STEPS, times)
-    found = _together(runs, [name for name in known if name in observe])
-    return _within_doubles(scene, found)
+        found = measured(scene, {known[name] for name in observe}, tolerance, STEPS, times)
+    return _within_doubles(scene, found.only(name for name in known if name in observe))
 
 
 def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]) -> tuple[float, ...]:

@@ -91,10 +91,6 @@ class Force(ABC):
         """Where it rubs, if there is dry friction in it; `held` are its own constraints."""
         return ()
 
-    def from_origin(self, origin: Sequence[float]) -> Force | None:
-        """The same where `origin` (m) is the origin, none where that cannot be said; asked of the laws of this package alone."""
-        return self
-
     @property
     def may_be_brief(self) -> bool:
         """Whether it may act for much shorter than anything else happens: steps that feel nothing of it are then searched for it.

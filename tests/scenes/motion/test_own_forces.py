@@ -145,22 +145,11 @@ def rubbed(push):
     return Scene((Body(1.0, (0.0,), (1e-3,)),), (ForceFunction(0, push),), until=1.0)
 
 
-def test_a_force_that_jumps_with_the_velocity_is_refused_as_what_it_is():
-    with pytest.raises(GuardFailed, match="jumps there with the velocity"):
+def test_a_force_that_jumps_with_the_velocity_is_refused_with_what_to_take_instead():
+    with pytest.raises(
+        GuardFailed, match="a force that jumps with the velocity, as dry friction does, is a Friction"
+    ):
         play(rubbed(lambda t, x, v: (-0.5 * math.copysign(1.0, v[0]),)), {Observable.VELOCITIES})
-
-
-def test_it_is_refused_as_soon_as_the_velocity_stays_where_the_force_jumps():
-    asked = []
-
-    def push(t: float, x: object, v: tuple[float, ...]) -> tuple[float]:
-        asked.append(t)
-        return (-4.9 * math.copysign(1.0, v[0]),)
-
-    scene = Scene((Body(1.0, (0.0,), (2.0,)),), (ForceFunction(0, push),), until=5.0)
-    with pytest.raises(GuardFailed, match="jumps there with the velocity"):
-        play(scene, {Observable.VELOCITIES})
-    assert len(asked) < 15_000
 
 
 def test_a_velocity_that_only_passes_where_a_force_jumps_goes_on():
@@ -173,6 +162,6 @@ def test_a_velocity_that_only_passes_where_a_force_jumps_goes_on():
     assert found.errors["velocities"][0] < 1e-6 * drive
 
 
-def test_one_that_is_out_of_reach_for_being_fast_is_not_said_to_jump():
+def test_one_that_is_out_of_reach_for_being_fast_is_told_so():
     with pytest.raises(GuardFailed, match="soften what is stiff"):
         play(rubbed(lambda t, x, v: (-1e16 * x[0],)), {Observable.VELOCITIES})

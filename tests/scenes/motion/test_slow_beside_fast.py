@@ -25,13 +25,13 @@ def assert_within(found, name, *truth):
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-10, 1e-12])
 @pytest.mark.parametrize("fast", [1e2, 1e4, 1e6])
 @pytest.mark.parametrize("until", [0.3367, 1.0])
-def test_a_puck_stops_where_it_does_whatever_flies_by(tolerance, fast, until):
-    pucks = Body(1.0, (0.0, 0.0), (math.cos(0.7), math.sin(0.7))), Body(1.0, (0.0, 5.0), (fast, 0.0))
-    found = play(Scene(pucks, (Friction(0, MU),), until=until), BOTH, tolerance, times=(until,))
+def test_a_block_stops_where_it_does_whatever_flies_by(tolerance, fast, until):
+    blocks = Body(1.0, (0.0,), (1.0,)), Body(1.0, (5.0,), (fast,))
+    found = play(Scene(blocks, (Friction(0, MU),), until=until), BOTH, tolerance, times=(until,))
     slowed = min(until, 1.0 / (MU * G))
     way, speed = slowed - 0.5 * MU * G * slowed**2, 1.0 - MU * G * slowed
-    assert_within(found, "trajectory", way * math.cos(0.7), way * math.sin(0.7))
-    assert_within(found, "velocities", speed * math.cos(0.7), speed * math.sin(0.7))
+    assert_within(found, "trajectory", way)
+    assert_within(found, "velocities", speed)
     if tolerance < 1e-6:
         assert found.errors["trajectory"][0] <= max(1e-9, 1e-11 * fast) * 1e3
 

@@ -1,4 +1,4 @@
-"""Static and kinetic friction of one body on a level table or belt (Coulomb)."""
+"""Static and kinetic friction of one body that slides along a line on a level table (Coulomb)."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from dataclasses import dataclass
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import ForceOnOne, Pushes, Scene, unit_row
-from corollary.scenes.validation import refuse_components, refuse_unsound
+from corollary.scenes.validation import refuse_unsound
 
 
 @dataclass(frozen=True, slots=True)
 class Friction(ForceOnOne):
-    """mu m g against the velocity of one body (by its place in the scene) relative to a `belt` (m/s); m is its mass at the time.
+    """mu m g against the velocity of one body (by its place in the scene); m is its mass at the time.
 
-    At rest on it the body is held by up to `static` m g; `static` is mu where it is not given. Raises BadSetting for a static
-    coefficient below the kinetic one, or either, or g, below zero.
+    At rest the body is held by up to `static` m g; `static` is mu where it is not given. Raises BadSetting for a static coefficient below
+    the kinetic one, or either, or g, below zero. A belt and a puck in a plane are refused: `belt` is there to be refused by name.
     """
 
     mu: float
@@ -37,13 +37,14 @@ class Friction(ForceOnOne):
             )
 
     def fits(self, scene: Scene) -> None:
-        if self.belt:
-            refuse_components(scene.name, scene.axes, self, "belt")
-        pushes = [f for f in scene.forces if f is not self and (not f.bodies or self.body in f.bodies)]
-        if scene.axes == 2 and pushes:
+        if any(self.belt):
             raise BadSetting(
-                f"{scene.name}: Friction on body {self.body} in a plane where {type(pushes[0]).__name__} acts on it, too: a puck whose slip "
-                "turns is not followed. Let it slide along a line (places of one component), or on a rough HardWall."
+                f"{scene.name}: Friction with belt = {self.belt}: a belt that moves is not followed; leave it out, and watch from the belt."
+            )
+        if scene.axes == 2:
+            raise BadSetting(
+                f"{scene.name}: Friction on body {self.body} in a plane: a puck on a table is not followed. Let it slide along a line (places "
+                "of one component), or on a rough HardWall."
             )
 
     @property
@@ -59,24 +60,16 @@ class Friction(ForceOnOne):
         body = scene.bodies[self.body]
         if math.isinf(body.mass):
             return
-        # On a table that is seen from above nothing turns its way: it slips along a line.
-        belt = tuple(self.belt) or (0.0,) * scene.axes
-        slip = [v - u for v, u in zip(body.velocity, belt, strict=True)]
-        speed = math.hypot(*slip)
-        way = [v / speed for v in slip] if speed else [1.0, 0.0][: scene.axes]
-        if scene.axes == 1:
-            way = [1.0]
         gained = sum(rate for force in scene.forces for i, rate in force.mass_rates if i == self.body)
         yield Rub(
             f"{body.name or f'body {self.body}'} on the table",
             self.body,
-            unit_row(scene, self.body, way),
+            unit_row(scene, self.body, [1.0]),
             self.mu,
             self.held_by,
-            sum(u * x for u, x in zip(belt, way, strict=True)),
             lambda t: (body.mass + gained * t) * self.g,
         )
 
     @property
     def does_no_work_at_rest(self) -> bool:
-        return not any(self.belt)
+        return True

@@ -30,9 +30,6 @@ class ForceFunction(ForceOnOne):
     energy: Potential | None = None
     smooth: bool = False
 
-    def from_origin(self, origin: Sequence[float]) -> None:
-        """Its places are the function's."""
-
     def fits(self, scene: Scene) -> None:
         refuse_own(scene, self, start_of(scene))
 

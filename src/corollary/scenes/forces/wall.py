@@ -1,11 +1,10 @@
-"""A hard wall, at rest or moving: bodies bounce off it at once (equation 12.60), or rest, slide and roll on it."""
+"""A hard wall: bodies bounce off it at once (equation 12.60), or rest, slide and roll on it."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
-from fractions import Fraction
+from dataclasses import dataclass
 
 from corollary.scenes.body import Body
 from corollary.scenes.constraint import Constraint, Rub, State
@@ -19,8 +18,8 @@ class HardWall(Force):
     """The plane normal . place = offset; bodies stay on the side the unit vector `normal` points to.
 
     `mu` is its kinetic, `static` its static friction (mu if not given), in a plane: a body with a radius is made to spin by it.
-    `velocity` (m/s) moves it along its normal. `only` names the bodies it is there for, all if none. Raises BadSetting when the normal is
-    no unit vector, or a coefficient is out of range. A plate that a function swings is refused: `moves` is there to be refused by name.
+    `only` names the bodies it is there for, all if none. Raises BadSetting when the normal is no unit vector, or a coefficient is out of
+    range. A wall that moves, and a rough one that gives back speed, are refused: `velocity` and `moves` are there to be refused by name.
     """
 
     normal: tuple[float, ...]
@@ -41,17 +40,18 @@ class HardWall(Force):
                 "HardWall: restitution lies between 0 and 1, mu is zero or more, static not less than mu."
             )
 
-    def from_origin(self, origin: Sequence[float]) -> HardWall:
-        there = sum(Fraction(n) * Fraction(x) for n, x in zip(self.normal, origin, strict=True))
-        return replace(self, offset=float(Fraction(self.offset) - there))
-
     def fits(self, scene: Scene) -> None:
         refuse_components(scene.name, scene.axes, self, "normal")
-        if self.moves is not None:
+        if self.moves is not None or self.velocity:
             raise BadSetting(
-                f"{scene.name}: HardWall with moves: a plate that a function swings is not followed; give it a velocity, or none."
+                f"{scene.name}: HardWall with {'velocity' if self.velocity else 'moves'}: a wall that moves is not followed; leave it out, and "
+                "watch from the wall."
             )
-        self._refuse_closing(scene)
+        if self.rubs_surfaces and self.restitution:
+            raise BadSetting(
+                f"{scene.name}: HardWall with mu and restitution = {self.restitution:g}: bounces on a rough wall are not followed; give it "
+                "restitution=0, or no friction."
+            )
         self._refuse_held(scene)
 
     def _refuse_held(self, scene: Scene) -> None:
@@ -82,33 +82,12 @@ class HardWall(Force):
         if scene.until is None or (deep >= -near and not any(body.velocity)):
             return False
         there = [x + v * scene.until for x, v in zip(body.place, body.velocity, strict=True)]
-        return self.clearance(there, body.radius, scene.until) < -near
-
-    def _refuse_closing(self, scene: Scene) -> None:
-        """Raises BadSetting where this wall and one that faces it leave a body between them no room before the end."""
-        for other in scene.forces:
-            if scene.until is None or not isinstance(other, HardWall) or not _face(self, other):
-                continue
-            both = set(self._bodies(scene)) & set(other._bodies(scene))
-            widest = max(both, key=lambda i: scene.bodies[i].radius, default=None)
-            if widest is None:
-                continue
-            body = scene.bodies[widest]
-            met = _meeting(self, other, 2.0 * body.radius, scene.until)
-            if met is not None:
-                raise BadSetting(
-                    f"{scene.name}: two walls leave {body.name or f'body {widest}'} no room between them from {met:.6g} s on, which it would "
-                    "hit without end; watch for a shorter time, or let them stop before."
-                )
+        return self.clearance(there, body.radius) < -near
 
     @property
     def held_by(self) -> float:
         """The static coefficient."""
         return self.mu if self.static is None else self.static
-
-    def offset_at(self, time: float) -> float:
-        """The offset (m) at a time."""
-        return self.offset + self.velocity * time
 
     def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """Nothing by itself: it holds bodies back."""
@@ -120,10 +99,9 @@ class HardWall(Force):
             yield Constraint(
                 f"{body.name or f'body {i}'} at the wall",
                 (i,),
-                lambda t, y, i=i, radius=body.radius: self.clearance(place(scene, y, i), radius, t),
+                lambda t, y, i=i, radius=body.radius: self.clearance(place(scene, y, i), radius),
                 lambda t, y, row=row: row,
                 lambda t, y: 0.0,
-                -self.velocity,
                 self.restitution,
             )
 
@@ -140,13 +118,13 @@ class HardWall(Force):
         chosen = self.only or range(len(scene.bodies))
         return [i for i in chosen if not math.isinf(scene.bodies[i].mass)]
 
-    def clearance(self, place: Sequence[float], radius: float, time: float = 0.0) -> float:
+    def clearance(self, place: Sequence[float], radius: float) -> float:
         """How far (m) the surface of a body is from the wall; negative behind it."""
-        return sum(n * x for n, x in zip(self.normal, place, strict=True)) - self.offset_at(time) - radius
+        return sum(n * x for n, x in zip(self.normal, place, strict=True)) - self.offset - radius
 
     @property
     def does_no_work_at_rest(self) -> bool:
-        return self.velocity == 0.0
+        return True
 
     @property
     def bodies(self) -> tuple[int, ...]:
@@ -158,19 +136,5 @@ class HardWall(Force):
 
     @property
     def conserves(self) -> Conserves:
-        elastic = self.restitution == 1.0 and self.held_by == 0.0 and not self.velocity
+        elastic = self.restitution == 1.0 and self.held_by == 0.0
         return Conserves.ENERGY if elastic else Conserves.NOTHING
-
-
-def _face(a: HardWall, b: HardWall) -> bool:
-    """Whether two walls face each other."""
-    return len(a.normal) == len(b.normal) and all(
-        abs(x + y) <= 1e-9 for x, y in zip(a.normal, b.normal, strict=True)
-    )
-
-
-def _meeting(a: HardWall, b: HardWall, wide: float, until: float) -> float | None:
-    """When (s) two walls that face each other leave less than `wide` (m) between them, if they do before the end."""
-    slack = 1e-9 * max(abs(a.offset), abs(b.offset), wide)
-    room, closing = -(a.offset + b.offset) - wide, a.velocity + b.velocity
-    return max(room / closing, 0.0) if closing > 0.0 and closing * until >= room - slack else None

@@ -34,9 +34,6 @@ class Well(Force):
     def wall(self) -> float:
         return self.b - self.d
 
-    def from_origin(self, origin: Sequence[float]) -> None:
-        """It is where the origin is."""
-
     def fits(self, scene: Scene) -> None:
         refuse_below_zero(scene.name, self, above=("k", "b", "d"))
         if self.d >= self.b:

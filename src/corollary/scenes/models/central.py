@@ -1,4 +1,4 @@
-"""Motion about a fixed centre: orbits under an inverse-square force in closed form, in a truncated harmonic well by rigorous quadrature."""
+"""Motion in a truncated harmonic well, by rigorous quadrature."""
 
 from __future__ import annotations
 
@@ -12,44 +12,6 @@ from corollary.scenes.forces.well import Well
 from corollary.scenes.models.certain import Balls, Evaluated, integral, root, sign
 
 GONE = "it starts at the edge on its way out: nothing acts beyond"
-
-
-@dataclass(frozen=True, slots=True)
-class Orbit:
-    """Distances (m) nearest to the centre and farthest from it, and the period (s); both none when the body escapes."""
-
-    nearest: arb
-    farthest: arb | None = None
-    period: arb | None = None
-
-
-def orbit(
-    strength: float, mass: float, place: tuple[float, float], velocity: tuple[float, float]
-) -> Orbit | None:
-    """The orbit of a body with this `strength` of attraction (N m^2, negative: repulsion); none when it meets the centre.
-
-    Energy and angular momentum make 1/r at the turning points the roots of a quadratic; its discriminant is a sum of squares.
-    """
-    (x, y), (u, v) = ((arb(a), arb(b)) for a, b in (place, velocity))
-    pull, r = arb(strength) / arb(mass), (x * x + y * y).sqrt()
-    spin, along = x * v - y * u, (x * u + y * v) / r
-    if strength > 0.0 and sign(spin) == 0:
-        return None
-    discriminant = (spin * along) ** 2 + (spin * spin / r - pull) ** 2
-    root_of_it = discriminant.sqrt() if sign(discriminant) else arb(0)
-    double_energy = u * u + v * v - 2 * pull / r
-    # Of the two ways to write the root, the one that adds.
-    nearest = spin * spin / (pull + root_of_it) if strength > 0.0 else (root_of_it - pull) / double_energy
-    if strength <= 0.0 or not _bound(arb(strength), arb(mass), (x, y), (u, v)):
-        return Orbit(nearest)
-    axis = -pull / double_energy
-    return Orbit(nearest, -(pull + root_of_it) / double_energy, 2 * arb.pi() * axis * (axis / pull).sqrt())
-
-
-def _bound(strength: arb, mass: arb, place: tuple[arb, arb], velocity: tuple[arb, arb]) -> bool:
-    """Whether m v^2 < 2 strength / r, written without a root or a quotient so that a parabola is told exactly."""
-    square = velocity[0] ** 2 + velocity[1] ** 2
-    return sign((mass * square) ** 2 * (place[0] ** 2 + place[1] ** 2) - 4 * strength * strength) < 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -40,14 +40,14 @@ def energy_off(
 ) -> float:
     """What energies are off since the places and velocities at the end are: by parts of their sizes, and by what is not sure of velocities."""
     time, y = path.time, path.state
-    if what is Observable.ENERGY_RATIO and path.unsure:
-        return kinetic_off(scene, time, y, path.unsure) / kinetic(scene, 0.0, start_of(scene))
+    if what is Observable.ENERGY_RATIO and path.dropped:
+        return kinetic_off(scene, time, y, path.dropped) / kinetic(scene, 0.0, start_of(scene))
     if what is not Observable.ENERGY:
         return 0.0
     fast, long = sizes[Observable.VELOCITIES], sizes[Observable.TRAJECTORY]
     several = 3.0 if path.fades else 1.0  # places keep what velocities forget
-    far = several * steps * min(long, 30.0 * path.deep) + rounded * long + path.astray * path.time
-    moving = kinetic_off(scene, time, y, (steps + rounded) * fast + path.unsure)
+    far = several * steps * min(long, 30.0 * path.deep) + rounded * long
+    moving = kinetic_off(scene, time, y, (steps + rounded) * fast + path.dropped)
     return moving + potential_off(scene, time, y, far) + undecided(scene, path, sizes[what])
 
 

@@ -148,13 +148,11 @@ class System:
 
     def slip(self, y: State, k: int) -> float:
         """The slip velocity (m/s) of a rub."""
-        rub = self.rubs[k]
-        return sum(map(mul, rub.row, self.velocity(y))) - rub.driven
+        return sum(map(mul, self.rubs[k].row, self.velocity(y)))
 
     def rate(self, time: float, y: State, constraint: Constraint) -> float:
         """How fast a gap grows (m/s)."""
-        row = constraint.row(time, y)
-        return sum(map(mul, row, self.velocity(y))) + constraint.driven
+        return sum(map(mul, constraint.row(time, y), self.velocity(y)))
 
     def _braked(self, time: float, mode: Mode, gained: list[float]) -> None:
         """Add to the accelerations what the slips of a mode take, all under a known normal force."""

@@ -5,17 +5,15 @@
 from __future__ import annotations
 
 import math
-from collections import deque
 from dataclasses import replace
 from itertools import combinations
-from statistics import median
 
 import numpy as np
 
-from corollary.scenes.constraint import Constraint, State, farther_off
+from corollary.scenes.constraint import Constraint, State
 from corollary.scenes.motion.conserved import energy, keeps_energy, kinetic, never_meets, used_up
 from corollary.scenes.motion.equations_of_motion import Mode, Slope, System
-from corollary.scenes.motion.guards import Guard, Guards
+from corollary.scenes.motion.guards import Guards
 from corollary.scenes.motion.modes import Moment, drifted
 from corollary.scenes.motion.own_forces import overlooked
 from corollary.scenes.motion.path import Happening, Stretch, Trajectory
@@ -31,10 +29,6 @@ LIGHTEST = 1e-305
 PARTING = 1e-6
 # Rods that hold the same motion are told by singular values.
 DEPENDENT = 1e-9
-MANY = 100
-"""So many happenings are held against as many before them."""
-SLOWER = 0.9
-"""Bounces that die away have lost more than the rest of their speed meanwhile."""
 
 
 def refuse_bad_start(system: System, start: State, sizes: Sizes) -> None:
@@ -100,35 +94,6 @@ def hit_in_doubt(system: System, path: Trajectory, mode: Mode, slow: float) -> b
     )
 
 
-class Pace:
-    """The last happenings: when (s) each was, after how many steps, and how fast (m/s) what hits or touches closed then."""
-
-    def __init__(self) -> None:
-        self.seen: deque[tuple[float, int, float | None]] = deque(maxlen=2 * MANY + 1)
-
-    def met(self, time: float, steps: int, speed: float | None) -> None:
-        """One more; `speed` for hits and touches alone."""
-        self.seen.append((time, steps, speed))
-
-    @property
-    def lasted(self) -> float:
-        """How long (s) the last of them took together."""
-        return self.seen[-1][0] - self.seen[-1 - MANY][0]
-
-    def hopeless(self, left: float, steps: int) -> bool:
-        """Whether so many steps do not reach an end so far ahead (s) at this pace, and nothing slows down."""
-        if len(self.seen) <= 2 * MANY:
-            return False
-        spent = self.seen[-1][1] - self.seen[-1 - MANY][1]
-        if left * spent <= steps * self.lasted:
-            return False
-        before, now = (self._speed(first, first + MANY) for first in (1, MANY + 1))
-        return now >= SLOWER * before
-
-    def _speed(self, first: int, last: int) -> float:
-        return median([speed for _, _, speed in list(self.seen)[first:last] if speed is not None] or [0.0])
-
-
 # What moves by errors of so many steps is at rest.
 NO_SPEED = 30.0
 # So many happenings at one moment are no physics: forces that call each other out.
@@ -140,9 +105,7 @@ MOST_AGAIN = 100
 class Follower:
     """A scene followed from its start to `until`, or until nothing touches and nothing will. See `follow`."""
 
-    def __init__(
-        self, scene: Scene, tolerance: float, shift: float = 0.0, share: float = 1.0, less: float = 0.0
-    ) -> None:
+    def __init__(self, scene: Scene, tolerance: float, share: float = 1.0, less: float = 0.0) -> None:
         self.scene, self.tolerance = scene, tolerance
         self.system = System(scene)
         if scene.until is None and not (scene.contacts == scene.forces and len(scene.bodies) > 1):
@@ -151,26 +114,17 @@ class Follower:
             )
         self.path = Trajectory(self.system.count, state=start_of(scene))
         self.at_once, self.again = 0, 0
-        self.sizes = sizes_of(self.system, tolerance, shift)
-        self._perturb(shift, less)
+        self.sizes = sizes_of(self.system, tolerance)
+        if less and Conserves.ENERGY not in scene.conserves:
+            # Where energy is conserved nothing forgets how it began, and hits stay as they are.
+            self.system.constraints = [replace(c, less=less) for c in self.system.constraints]
         self.path.allowed, self.path.near = tolerance * self.sizes.place, self.sizes.doubt
         self.path.fast, self.path.long = self.sizes.fast, self.sizes.long
         self.path.deep = self.sizes.deep if self.system.contacts else math.inf
         self.path.shallow = least_squeeze(self.system, self.sizes.fast)
-        self.steps, self.pace = Stepper(self.system, self.sizes, tolerance, share), Pace()
+        self.steps = Stepper(self.system, self.sizes, tolerance, share)
         refuse_bad_start(self.system, self.path.state, self.sizes)
         self.energy: float | None = None
-
-    def _perturb(self, shift: float, less: float) -> None:
-        """Let every touch happen so much (m) later, or earlier, and hits give back up to a part `less` less.
-
-        Where energy is conserved nothing forgets how it began, and hits stay as they are.
-        """
-        if shift:
-            start = start_of(self.scene)
-            self.system.constraints = [farther_off(c, start, shift) for c in self.system.constraints]
-        if less and Conserves.ENERGY not in self.scene.conserves:
-            self.system.constraints = [replace(c, less=less) for c in self.system.constraints]
 
     def run(self) -> Trajectory:
         """The whole path. Raises GuardFailed when it cannot be followed, or something impossible happens on the way."""
@@ -217,7 +171,6 @@ class Follower:
         if moment.dropped:
             path.rests.append(ends := path.time + moment.lasts)
             path.dropped = max(path.dropped, moment.dropped * (ends > (self.scene.until or math.inf)))
-            path.astray += moment.astray
         # What is watched is each stretch between hits: these may cost energy.
         self.energy = energy(self.scene, path.time, path.state) if keeps_energy(self.scene, mode) else None
         return mode
@@ -304,19 +257,7 @@ class Follower:
         self.steps.begin_anew()
         what, glued = f"{guard.kind} {guard.number}", guards.together(guard, [self.path.state])
         self.path.happenings.append(Happening(what, self.path.time, len(self.path.stretches), slack, glued))
-        self._refuse_hopeless(guard, speed)
         return self._after(guards, index)
-
-    def _refuse_hopeless(self, guard: Guard, speed: float) -> None:
-        """Raises GuardFailed where happenings come so fast, one after the other, that the end is not reached."""
-        time, left = self.path.time, self._left()
-        self.pace.met(time, self.steps.steps, speed if guard.kind in ("hit", "touch") else None)
-        if left < math.inf and self.pace.hopeless(left, self.steps.left):
-            raise GuardFailed(
-                f"{self.scene.name}: at {time:.6g} s {guard.name} is the last of {MANY} things to happen within {self.pace.lasted:.2g} s, "
-                f"and nothing slows down: the end, {left:.3g} s ahead, is out of reach. Watch for a shorter time.",
-                finer=guard.kind in ("stop", "break"),
-            )
 
     def _after(self, guards: Guards, index: int) -> Mode:
         """What follows when a guard has fallen. Raises GuardFailed or BadSetting for what is impossible."""
@@ -374,19 +315,17 @@ class Follower:
             )
 
 
-def follow(
-    scene: Scene, tolerance: float, shift: float = 0.0, share: float = 1.0, less: float = 0.0
-) -> Trajectory:
+def follow(scene: Scene, tolerance: float, share: float = 1.0, less: float = 0.0) -> Trajectory:
     """The scene from its start to `until`, or until nothing touches and nothing will.
 
-    With `shift` (m) every touch happens that much later, or earlier where it is negative; hits give back up to a part `less` less.
+    Hits give back up to a part `less` less.
     `tolerance` is the error allowed to a step, relative to the size of velocities and places (or overlaps); a `share` of all steps is allowed.
     With an `until` each step tells how far it has got (`corollary.scenes.progress`).
     Raises BadSetting for a start that is impossible, GuardFailed when energy is lost, bodies overlap without a force, no forces of
     rigid bodies are consistent, or the end is not reached.
     """
     try:
-        return Follower(scene, tolerance, shift, share, less).run()
+        return Follower(scene, tolerance, share, less).run()
     except NoForce as error:
         raise GuardFailed(str(error)) from error
     except (OverflowError, ZeroDivisionError, ValueError, np.linalg.LinAlgError) as error:

@@ -112,7 +112,7 @@ class Guards:
                 continue
             for part, value in minima(gaps):
                 # What has just been let go opens with no speed: that is no touch.
-                apart = abs(value) > 4.0 * abs(self.sizes.blur + self.sizes.shift)
+                apart = abs(value) > 4.0 * self.sizes.blur
                 if gaps[0] - value > 4.0 * self.sizes.blur or (apart and gaps[-1] > value):
                     least = min(least, (abs(value), part))
         return least
@@ -158,21 +158,14 @@ class Guards:
         return {number: "back" if forces.multipliers[at] > 0.0 else "forward"}
 
     def _pair(self, kind: Kind, number: int, a: int, b: int, sign: float, reach: float) -> None:
-        """What touches parts where its overlap is over, and is seen to beyond what some steps may be off; no run lets it part sooner."""
-        shift = 0.0 if sign > 0.0 or self._begins_at(a, b, reach) else max(self.sizes.shift, 0.0)
+        """What touches parts where its overlap is over, and is seen to beyond what some steps may be off."""
         late = max(SEEN_LATE * self.sizes.doubt - self.sizes.blur, 0.0) if sign > 0.0 else 0.0
-        blur = self.sizes.blur + shift + late
+        blur = self.sizes.blur + late
 
         def value(time: float, y: State) -> float:
             return sign * inside(seen_from(self.system.scene, y, a, b)[0], reach) + blur
 
         self._add(Guard(kind, number, f"bodies {a} and {b}", self.sizes.blur + late), value)
-
-    def _begins_at(self, a: int, b: int, reach: float) -> bool:
-        """Whether two bodies start as near to a touch as touches are shifted: they are there, and cannot come later."""
-        shift, scene = abs(self.sizes.shift), self.system.scene
-        apart = math.dist(scene.bodies[a].place, scene.bodies[b].place) if shift else math.inf
-        return abs(apart - reach) <= 2.0 * shift
 
     def _add(self, guard: Guard, value: Value) -> None:
         self.names.append(guard)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -92,34 +92,6 @@ def small_bounces(
     return slow
 
 
-def rub_less(
-    system: System, time: float, y: list[float], mode: Mode, slow: Mapping[int, tuple[float, float]]
-) -> float:
-    """Give slips what friction does not take of them in `small_bounces` that are left out: these press by the speed of the first less than rest does.
-
-    Returns how far off (m/s) velocities may be. They are right in the end where a slip outlasts the bounces; what it slips meanwhile is then
-    spread over the time that is watched.
-    """
-    inverse, off = system.inverse(time), 0.0
-    for i, (rate, lasts) in slow.items():
-        c = system.constraints[i]
-        row = np.array(c.row(time, y))
-        spread = lasts / (1.0 - c.restitution) / (system.scene.until or np.inf)
-        rubs = [rub for k, rub in enumerate(system.rubs) if system.pressed[k] == i]
-        off = max([off, *(2.0 * rate * rub.static * spread for rub in rubs)])
-        for k, rub in enumerate(system.rubs):
-            if system.pressed[k] != i or mode.rubbed[k] not in SLIPS:
-                continue
-            way, along = SLIPS[mode.rubbed[k]], np.array(rub.row)
-            change = rub.kinetic * rate / float(row * inverse @ row) * inverse * way * along
-            for j, v in enumerate(change.tolist(), start=system.count):
-                y[j] += v
-            faster = float(along @ system.accelerations(time, y, mode))
-            if way * (system.slip(y, k) + lasts * faster) <= 0.0:
-                off = max(off, 2.0 * rate * rub.kinetic)
-    return off
-
-
 # So many last digits of places and velocities are what rounding leaves of none.
 LAST_DIGITS = 16.0
 
@@ -207,7 +179,7 @@ class Moment:
 
     `barred` are constraints that must let go and `broken` rubs that must slip, because that is why the moment came, `stopped` are rubs that
     have just stopped slipping. `hits` counts what was hit; `dropped` is the speed (m/s) taken for none; bounces left out would last
-    for `lasts` (s), and leave slips off by `astray` (m/s).
+    for `lasts` (s).
     """
 
     system: System
@@ -221,7 +193,6 @@ class Moment:
     hits: int = 0
     dropped: float = 0.0
     lasts: float = 0.0
-    astray: float = 0.0
 
     def decided(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode:
         """Settle hits, then what holds. Raises GuardFailed where no forces of rigid bodies are consistent."""
@@ -245,7 +216,6 @@ class Moment:
             resting |= {*slow, *held_in(mode)[0]}
             project(system, time, y, sorted(resting), [])
             mode = self._settled_forces(touching, sides)
-            self.astray += rub_less(system, time, y, mode, slow)
         project(system, time, y, *held_in(mode))
         return mode
 

@@ -24,8 +24,6 @@ BENT = 1.0 / LOOKS
 """A stage inside a kick bends a step's polynomial to where the kick is not: its slopes then differ from its speeds by more than such a part."""
 GLANCES = 400
 """So often they are looked at to know beforehand how strong they are."""
-NARROW, WIDE = 1e-6, 1e-3
-"""To both sides of a velocity, as parts of the speed: what jumps changes by as much over either, what is only steep does not."""
 AHEAD = 1e-6
 """How far on it is asked for a value, as a part of the time that has passed: from some roundings of it on, ever farther."""
 
@@ -98,32 +96,6 @@ def _felt(scene: Scene, forces: list[Force], stretch: Stretch, parts: Array) -> 
         for time, state in zip(times.tolist(), states, strict=True)
     ]
     return np.array(rows) if all(math.isfinite(a) for row in rows for a in row) else None
-
-
-def jumps(scene: Scene, time: float, state: State, fast: float) -> bool:
-    """Whether such a force jumps where a velocity is, of speeds of about `fast` (m/s): there no step gets far."""
-    forces, count = _own(scene), scene.axes * len(scene.bodies)
-
-    def change(j: int, share: float) -> float:
-        slower, faster = (
-            _accelerations(scene, forces, time, [*state[:j], state[j] + d, *state[j + 1 :]], state)
-            for d in (-share * fast, share * fast)
-        )
-        return max(abs(b - a) for a, b in zip(slower, faster, strict=False))  # one may have no value
-
-    return bool(forces) and any(
-        change(j, NARROW) > 0.5 * change(j, WIDE) > 0.0 for j in range(count, 2 * count)
-    )
-
-
-def remedy(scene: Scene, time: float, state: State, fast: float) -> str:
-    """What to do where steps become too short; speeds are about `fast` (m/s)."""
-    if jumps(scene, time, state, fast):
-        return (
-            "A force of your own jumps there with the velocity, as dry friction does: let Friction or a rough wall do that, "
-            "or write a Force with events."
-        )
-    return "Watch for a shorter time, or let what swings or fades fastest do so more slowly (soften what is stiff)."
 
 
 def refuse_failing(scene: Scene, time: float, state: State) -> None:

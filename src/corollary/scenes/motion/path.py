@@ -125,7 +125,7 @@ class Trajectory:
     """`happenings` are in order; `rests` the times (s) at which bounces without end were over.
 
     `grazes` is when (s) errors decide about a touch first: it is missed, or met, by less than `near` (m). `dropped` is a speed (m/s) that
-    was taken for rest; `astray` one of what went on at once; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene,
+    was taken for rest; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene,
     `allowed` (m) is what a step may be off. `fades`: what faded held steps down, and errors with it.
     `turned` are the turns of the first body's distance, once they have been looked for.
     """
@@ -140,7 +140,6 @@ class Trajectory:
     rests: list[float] = field(default_factory=list[float])
     evaluations: int = 0
     dropped: float = 0.0
-    astray: float = 0.0
     grazes: float = math.inf
     near: float = 0.0
     allowed: float = 0.0
@@ -158,11 +157,6 @@ class Trajectory:
     def graze(self, time: float) -> None:
         """Errors decide about a touch at a time (s)."""
         self.grazes = min(self.grazes, time)
-
-    @property
-    def unsure(self) -> float:
-        """How far off (m/s) velocities may be for what was taken for rest, and what went on at once."""
-        return self.dropped + self.astray
 
     def hits_before(self, time: float) -> int:
         """How many hits there have been by a time (s)."""

@@ -30,7 +30,7 @@ class Sizes:
 
     Too small to see: gaps (m) of `gap` and speeds (m/s) of `speed`, bounces lower than `bounce` (m), turns of what is slower than `rest`
     (m/s). Within `blur` (m) rounding decides on which side of a touch a
-    place is, within `doubt` (m) errors of some steps do. Touches happen `shift` (m) later.
+    place is, within `doubt` (m) errors of some steps do.
     """
 
     long: float
@@ -43,15 +43,13 @@ class Sizes:
     rest: float
     blur: float
     doubt: float
-    shift: float
 
 
-def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
-    """The sizes of a scene at its start; `shift` (m) lets every touch happen that much later, or earlier where it is negative."""
+def sizes_of(system: System, tolerance: float) -> Sizes:
+    """The sizes of a scene at its start."""
     scene = system.scene
     y, count = start_of(scene), system.count
     fast = max([abs(v) for v in y[count : 2 * count]] + [abs(b.spin) * b.radius for b in scene.bodies])
-    fast = max([fast, *(abs(rub.driven) for rub in system.rubs)])
     gained = max((abs(a) for a in system.gains(0.0, y, y)[:count]), default=0.0)
     gained = max(gained, pushed(scene, y))
     long = max(max(map(abs, y[:count])), *(body.radius for body in scene.bodies))
@@ -75,7 +73,6 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
         rest=max(tolerance, 1e-7) * fast,
         blur=16.0 * math.ulp(long),
         doubt=GRAZING * tolerance * place,
-        shift=shift,
     )
 
 

@@ -23,7 +23,7 @@ from corollary.scenes.motion.first_root import (
     root_of,
 )
 from corollary.scenes.motion.guards import Guards
-from corollary.scenes.motion.own_forces import jumps, refuse_failing, remedy
+from corollary.scenes.motion.own_forces import refuse_failing
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.run import FINER, GuardFailed
@@ -33,8 +33,10 @@ MOST_STEPS, MOST_HURRIED, SOON = 60_000, 20_000, 10
 # After so many steps without an event it is asked whether they lead anywhere; where those before them were long enough, only after more:
 # a short kick is over by then.
 STEADY, PATIENT = 250, 2000
-# So many steps one after the other end where a force jumps: a velocity that only passes there makes some twenty.
-STAYS = 100
+REMEDY = (
+    "Watch for a shorter time, or let what swings or fades fastest do so more slowly (soften what is stiff); a force that jumps with the "
+    "velocity, as dry friction does, is a Friction, a rough wall, or a Force with events."
+)
 # From this product of step and rate on, what fades decides how long an explicit step may be: beyond 6.1 it would grow (E. Hairer,
 # S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, and the program DOP853), which the method's own estimate of its
 # error takes too lightly. What fades is remembered from a smaller product on: soon it is too small to be seen in the slopes, and would
@@ -78,7 +80,6 @@ class Stepper:
     def begin_anew(self) -> None:
         """Something has happened: nothing is known of how fast things fade now."""
         self.steady, self.held_down, self.rate, self.stiff = 0, 0, 0.0, False
-        self.at_jump = 0
         self.implicit, self.patience = 0, TRY_AGAIN
         self.seen = [0.0] * 3
         self.lately.clear()
@@ -135,7 +136,7 @@ class Stepper:
         if self.steps > self.most or self.hurried > MOST_HURRIED:
             raise GuardFailed(
                 f"{self.scene.name}: the end was not reached within {self.steps - 1} steps, only {begun + solver.t:.6g} s. "
-                + remedy(self.scene, begun + solver.t, solver.y.tolist(), self.sizes.fast)
+                + REMEDY
             )
         if isinstance(solver, DOP853) and (self.rate or self.drags):
             solver.max_step = min(self.longest, self._edge(), self._smooth_for(solver))
@@ -198,14 +199,10 @@ class Stepper:
             return False
         done = (self.scene.until or 0.0) - left
         if self.steady < PATIENT and left * self.steps < self.left * done:
-            # A short kick is over soon; a velocity that forces drive to where one of them jumps stays there.
-            at_jump = jumps(self.scene, done, stretch.after, self.sizes.fast)
-            self.at_jump = self.at_jump + 1 if at_jump else 0
-            if self.at_jump < STAYS:
-                return False
+            return False
         raise GuardFailed(
             f"{self.scene.name}: with steps of {last:.2g} s the end, {left:.3g} s ahead, is out of reach. "
-            + remedy(self.scene, done, stretch.after, self.sizes.fast)
+            + REMEDY
         )
 
     @property
