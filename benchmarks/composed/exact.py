@@ -8,16 +8,10 @@ from typing import Any
 
 from mpmath import mp
 
-from corollary.scenes.forces.absorption import Absorption
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.thrust import Thrust
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Spring
+from corollary.scenes.forces.contact import Contact, Friction, HardWall
+from corollary.scenes.forces.fields import ForceFunction, InverseSquare, Weight
+from corollary.scenes.forces.flows import Absorption, Drag, Thrust
 from corollary.scenes.run import Observable
 from corollary.scenes.scene import Body, Force, Scene
 

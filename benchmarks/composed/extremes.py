@@ -8,14 +8,10 @@ from random import Random
 import numpy as np
 from scipy.optimize import brentq
 
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.rod import String
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Spring, String
+from corollary.scenes.forces.contact import Friction, HardWall
+from corollary.scenes.forces.fields import ForceFunction, InverseSquare, Weight
+from corollary.scenes.forces.flows import Drag
 from corollary.scenes.run import Observable
 from corollary.scenes.scene import Body, Scene
 

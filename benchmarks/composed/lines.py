@@ -7,13 +7,10 @@ from random import Random
 
 from scipy.special import ellipj, ellipk
 
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Spring
+from corollary.scenes.forces.contact import Contact, Friction, HardWall
+from corollary.scenes.forces.fields import ForceFunction, Weight
+from corollary.scenes.forces.flows import Drag
 from corollary.scenes.run import Observable
 from corollary.scenes.scene import Body, Scene
 

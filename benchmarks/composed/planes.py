@@ -9,12 +9,9 @@ from scipy.integrate import solve_ivp
 from scipy.special import ellipj, ellipk
 
 from corollary.derive.ready_scenes import run
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.rod import Rod, String
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Rod, Spring, String
+from corollary.scenes.forces.contact import Contact, HardWall
+from corollary.scenes.forces.fields import InverseSquare, Weight
 from corollary.scenes.run import Observable
 from corollary.scenes.scene import Body, Scene
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from second_way import followed, second_run
 
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
-from corollary.scenes.forces.well import Well
+from corollary.scenes.forces.fields import Well
 from corollary.scenes.models.central import in_well
 from corollary.scenes.models.certain import found
 from corollary.scenes.run import (

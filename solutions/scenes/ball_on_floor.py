@@ -12,7 +12,7 @@ from corollary.formula.ball import Ball
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.film import NAIL, Film, film
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.line_collision import collide
 from corollary.scenes.models.certain import Balls, Evaluated, balls, found, sign
 from corollary.scenes.models.two_bodies import (

@@ -13,9 +13,8 @@ from scipy.integrate import DOP853
 
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.film import BLOCK, NAIL, Act, Film, film
-from corollary.scenes.forces.rod import Rod
-from corollary.scenes.forces.spring import catching
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Rod, catching
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.line_collision import SAFE
 from corollary.scenes.progress import part, tell
 from corollary.scenes.run import (

@@ -9,8 +9,8 @@ from falls_and_swings import EXACT, flight, free_fall, until
 from corollary.formula.ball import Ball
 from corollary.scenes.definition import Setting, Settings, numbers, one
 from corollary.scenes.film import Film, film
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.contact import HardWall
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.models.certain import Balls, Evaluated, by_formulas
 from corollary.scenes.run import STEPS, Observed, Outcome, Run, by_relative_errors
 from corollary.scenes.scene import Body

@@ -6,8 +6,8 @@ from second_way import followed
 
 from corollary.formula.ball import Ball
 from corollary.scenes.definition import Setting, Settings, numbers
-from corollary.scenes.forces.absorption import Absorption
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.fields import Weight
+from corollary.scenes.forces.flows import Absorption
 from corollary.scenes.models.certain import Evaluated, by_formulas
 from corollary.scenes.run import (
     Observable,

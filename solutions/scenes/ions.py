@@ -9,7 +9,7 @@ from second_way import followed, second_run
 from corollary.formula.ball import Ball
 from corollary.scenes.definition import Setting, Settings, numbers
 from corollary.scenes.film import Film, film
-from corollary.scenes.forces.inverse_square import InverseSquare
+from corollary.scenes.forces.fields import InverseSquare
 from corollary.scenes.models.certain import Evaluated, by_formulas
 from corollary.scenes.run import (
     GuardFailed,

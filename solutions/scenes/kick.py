@@ -9,7 +9,7 @@ from second_way import second_run, state_after
 from corollary.formula.ball import Ball
 from corollary.scenes.definition import Setting, Settings, numbers
 from corollary.scenes.film import Film, film
-from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.fields import ForceFunction
 from corollary.scenes.models.certain import ComplexBall, Evaluated, by_formulas, integral
 from corollary.scenes.run import (
     Run,

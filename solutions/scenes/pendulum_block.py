@@ -11,10 +11,9 @@ from falls_and_swings import EXACT, swung, until
 from corollary.formula.ball import Ball
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.film import NAIL, Film, film
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.rod import Rod
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Rod
+from corollary.scenes.forces.contact import Contact, HardWall
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.line_collision import SAFE
 from corollary.scenes.models.certain import Balls, Evaluated, balls, found
 from corollary.scenes.models.two_bodies import BETA, undamped

@@ -8,7 +8,7 @@ from second_way import second_run, state_after
 
 from corollary.formula.ball import Ball
 from corollary.scenes.definition import Setting, Settings, numbers
-from corollary.scenes.forces.spring import FADING, Spring
+from corollary.scenes.forces.bonds import FADING, Spring
 from corollary.scenes.models.certain import Evaluated, by_formulas
 from corollary.scenes.run import (
     Observed,

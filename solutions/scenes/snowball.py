@@ -9,8 +9,8 @@ from second_way import second_run, state_after
 from corollary.formula.ball import Ball
 from corollary.scenes.definition import Setting, Settings, numbers
 from corollary.scenes.film import Act, Film, film
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.spring import FADING, catching
+from corollary.scenes.forces.bonds import FADING, catching
+from corollary.scenes.forces.fields import ForceFunction
 from corollary.scenes.models.certain import Evaluated, by_formulas
 from corollary.scenes.run import (
     Observed,

@@ -10,7 +10,7 @@ from falls_and_swings import fallen, flight
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.film import NAIL, Film, film
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.line_collision import collide
 from corollary.scenes.row import RowOfBodies, RowResult
 from corollary.scenes.run import (

@@ -10,7 +10,7 @@ from corollary.formula.ball import Ball
 from corollary.scenes.definition import Setting, Settings, numbers
 from corollary.scenes.film import Film, film
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.fields import ForceFunction
 from corollary.scenes.line_collision import collide
 from corollary.scenes.models.certain import Evaluated, by_formulas
 from corollary.scenes.row import RowOfBodies

@@ -9,8 +9,8 @@ import pytest
 from benchmarks.composed.case import judged
 from benchmarks.composed.fields import thrown_steeply
 
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.fields import Weight
+from corollary.scenes.forces.flows import Drag
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene

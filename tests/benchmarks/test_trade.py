@@ -11,7 +11,7 @@ import pytest
 
 from corollary.derive.ready_scenes import run
 from corollary.grading.programs.fixed_step import RK4
-from corollary.scenes.integrate.dop853 import DOP853
+from corollary.scenes.integrate.runge_kutta import DOP853
 from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.models.pair import meet
 from corollary.trade import colliding_spheres, references, solvers

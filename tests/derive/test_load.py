@@ -21,7 +21,7 @@ from corollary.problem.reader import read_problem
         ("def derive(m, v, t):\nreturn 1\n", 2, "is not Python"),
         ("x = 1\n\nimport nothing_of_this_name\n", 3, "cannot be loaded: ModuleNotFoundError"),
         ("x = 1\nfrom corollary.author import Body\n", 2, "write from corollary.scenes.scene import Body"),
-        ("from corollary.scenes import Weight\n", 1, "write from corollary.scenes.forces.weight import Weight"),
+        ("from corollary.scenes import Weight\n", 1, "write from corollary.scenes.forces.fields import Weight"),
         ("import sys\nsys.exit(3)\n", 2, "cannot be loaded: SystemExit"),
         (b"x = '\xff\xfe'\n", 1, "is not Python"),
         (b"x = '\x00'\n", 1, "is not Python"),

@@ -5,8 +5,7 @@ import random
 
 import pytest
 
-from corollary.scenes.forces.absorption import Absorption
-from corollary.scenes.forces.thrust import Thrust
+from corollary.scenes.forces.flows import Absorption, Thrust
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene

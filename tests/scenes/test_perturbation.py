@@ -4,10 +4,9 @@ import math
 
 import pytest
 
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.rod import Rod
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Rod
+from corollary.scenes.forces.contact import Contact, HardWall
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.measure import CHANGED, perturbed
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable

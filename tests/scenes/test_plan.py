@@ -5,15 +5,10 @@ import math
 import pytest
 
 from corollary.derive.ready_scenes import run
-from corollary.scenes.forces.absorption import Absorption
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.thrust import Thrust
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
-from corollary.scenes.forces.well import Well
+from corollary.scenes.forces.bonds import Spring
+from corollary.scenes.forces.contact import Contact, Friction, HardWall
+from corollary.scenes.forces.fields import InverseSquare, Weight, Well
+from corollary.scenes.forces.flows import Absorption, Thrust
 from corollary.scenes.measure import measured
 from corollary.scenes.plan import plan, play
 from corollary.scenes.run import MEANING, BadSetting, Observable

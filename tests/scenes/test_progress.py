@@ -11,10 +11,9 @@ import pytest
 from corollary import api
 from corollary.derive.ready_scenes import run, with_conditions
 from corollary.scenes import progress
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.contact import HardWall
+from corollary.scenes.forces.fields import ForceFunction, Weight
+from corollary.scenes.forces.flows import Drag
 from corollary.scenes.plan import play
 from corollary.scenes.progress import part, reported_to, tell, with_bar
 from corollary.scenes.run import Observable as O

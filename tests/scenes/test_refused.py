@@ -9,18 +9,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from corollary.scenes.forces.absorption import Absorption
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.rod import Rod, String
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.thrust import Thrust
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
-from corollary.scenes.forces.well import Well
+from corollary.scenes.forces.bonds import Rod, Spring, String
+from corollary.scenes.forces.contact import Contact, Friction, HardWall
+from corollary.scenes.forces.fields import ForceFunction, InverseSquare, Weight, Well
+from corollary.scenes.forces.flows import Absorption, Drag, Thrust
 from corollary.scenes.plan import followed, plan, play
 from corollary.scenes.progress import reported_to
 from corollary.scenes.run import BadSetting, GuardFailed

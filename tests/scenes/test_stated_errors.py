@@ -8,10 +8,10 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from corollary.derive.ready_scenes import run
+from corollary.scenes.forces.bonds import Spring
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.fields import Weight
+from corollary.scenes.forces.flows import Drag
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene
@@ -66,7 +66,7 @@ def test_in_a_steady_wind_drag_fades_without_an_end_of_turns():
 
 
 def test_a_bounce_turns_a_drag_as_well():
-    from corollary.scenes.forces.wall import HardWall
+    from corollary.scenes.forces.contact import HardWall
 
     # Without weight: v' = -(c/m) v^2, so the way between walls is m/c ln(v0/v).
     m, c, v, until = 0.5, 0.2, 3.0, 1.0

@@ -6,13 +6,9 @@ import math
 
 import pytest
 
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.rod import Rod, String
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Rod, Spring, String
+from corollary.scenes.forces.contact import Contact, Friction, HardWall
+from corollary.scenes.forces.fields import ForceFunction, Weight
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, Observable
 from corollary.scenes.scene import Body, Scene

@@ -160,7 +160,7 @@ def test_a_law_that_is_the_mistake_is_said_to_be_the_likeliest(checked):
 SCENE = """
 
 def scene(m, F, f, t, answer):
-    from corollary.scenes.forces.function import ForceFunction
+    from corollary.scenes.forces.fields import ForceFunction
     from corollary.scenes.scene import Body, Scene
 
     pull = ForceFunction(0, lambda time, place, velocity: (F - f,))

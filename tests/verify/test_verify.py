@@ -123,7 +123,7 @@ def test_a_scene_that_does_not_observe_it(verified):
 COMPOSED = """
 
 def scene(m, v, t, answer):
-    from corollary.scenes.forces.function import ForceFunction
+    from corollary.scenes.forces.fields import ForceFunction
     from corollary.scenes.scene import Body, Scene
     push = ForceFunction(0, lambda at, x, w: (answer["b"],))
     return [simulate(Scene((Body(m, (0.0,), (0.0,)),), (push,), until=%s), trajectory=(%s,), velocities=(v,))]

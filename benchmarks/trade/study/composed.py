@@ -9,12 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Spring
+from corollary.scenes.forces.contact import Friction, HardWall
+from corollary.scenes.forces.fields import InverseSquare, Weight
+from corollary.scenes.forces.flows import Drag
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable
 from corollary.scenes.scene import Body, Scene

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from corollary.scenes.forces.rod import Rod
+from corollary.scenes.forces.bonds import Rod
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Body, Force, Scene, place, start_of, velocity
 

@@ -11,13 +11,18 @@ import numpy as np
 
 from corollary.scenes.body import starts_across
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.motion.conserved import keeps_energy, kinetic
-from corollary.scenes.motion.energy_errors import conserved, energy_lost, energy_off, hottest
+from corollary.scenes.motion.conserved import (
+    conserved,
+    energy_lost,
+    energy_off,
+    hottest,
+    keeps_energy,
+    kinetic,
+)
 from corollary.scenes.motion.equations_of_motion import System
 from corollary.scenes.motion.follow import follow
-from corollary.scenes.motion.observe import contact_span, look, outcome, state_at, unequal
+from corollary.scenes.motion.observe import contact_span, flat, look, near, outcome, state_at, unequal
 from corollary.scenes.motion.path import Trajectory
-from corollary.scenes.motion.turns import flat, near
 from corollary.scenes.progress import part
 from corollary.scenes.run import (
     COARSEST,

@@ -11,8 +11,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Flag
 
-from corollary.scenes.body import Body, nothing_moves
-from corollary.scenes.constraint import Constraint, Rub, State
+from corollary.scenes.body import Body, Constraint, Rub, State, nothing_moves
 from corollary.scenes.run import BadSetting
 from corollary.scenes.validation import is_own, refuse_misfits, refuse_parts, refuse_unsupported
 

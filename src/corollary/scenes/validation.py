@@ -11,8 +11,7 @@ from numbers import Integral, Real
 from reprlib import Repr
 from typing import Any, Protocol, cast
 
-from corollary.scenes.body import Body
-from corollary.scenes.constraint import Constraint, Rub
+from corollary.scenes.body import Body, Constraint, Rub
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 
 HOUSE = __name__.rpartition(".")[0] + "."

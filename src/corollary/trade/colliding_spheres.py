@@ -8,8 +8,7 @@ from functools import partial
 from corollary.formula.ball import Ball
 from corollary.grading.programs.fixed_step import RK4
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.runge_kutta import Tableau
+from corollary.scenes.integrate.runge_kutta import DOP853, Tableau
 from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.models.certain import double_of
 from corollary.scenes.models.pair import (

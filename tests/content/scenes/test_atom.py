@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from corollary.derive.ready_scenes import run
-from corollary.scenes.forces.well import Well
+from corollary.scenes.forces.fields import Well
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable, components
 from corollary.scenes.scene import Body, Scene

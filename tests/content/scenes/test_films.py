@@ -7,7 +7,7 @@ import math
 import pytest
 
 from corollary.derive.ready_scenes import film_of, ready_scenes
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.scene import Body, Scene
 
 SCENES = ready_scenes()

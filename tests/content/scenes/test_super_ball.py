@@ -7,7 +7,7 @@ from tests.ready_scene_files import names_in
 
 from corollary.derive.ready_scenes import run
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.line_collision import collide
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, GuardFailed, components

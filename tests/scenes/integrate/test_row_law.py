@@ -10,10 +10,9 @@ from hypothesis import strategies as st
 from corollary.scenes import row
 from corollary.scenes.forces import contact as force
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.regularised import state_of
 from corollary.scenes.integrate.row_law import TIME, conserved, push, slope, stored
-from corollary.scenes.integrate.runge_kutta import step, weighted
+from corollary.scenes.integrate.runge_kutta import DOP853, step, weighted
 from corollary.scenes.integrate.stages import STAGES, finish, stage
 from corollary.scenes.row import RowOfBodies
 

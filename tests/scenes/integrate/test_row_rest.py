@@ -4,7 +4,7 @@ import pytest
 
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.regularised import state_of
-from corollary.scenes.integrate.row_rest import stays
+from corollary.scenes.integrate.row_events import stays
 from corollary.scenes.row import RowOfBodies
 
 

@@ -5,8 +5,7 @@ import math
 import pytest
 
 from corollary.grading.programs.fixed_step import RK4
-from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.runge_kutta import step
+from corollary.scenes.integrate.runge_kutta import DOP853, step
 
 
 def oscillator(_, y):

@@ -5,12 +5,9 @@ import math
 import pytest
 from scipy.integrate import quad
 
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Spring
+from corollary.scenes.forces.contact import Contact, Friction, HardWall
+from corollary.scenes.forces.fields import InverseSquare, Weight
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.run import Observable as O

@@ -4,14 +4,9 @@ import math
 
 import pytest
 
-from corollary.scenes.forces.absorption import Absorption
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.thrust import Thrust
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.contact import Contact, Friction, HardWall
+from corollary.scenes.forces.fields import ForceFunction, Weight
+from corollary.scenes.forces.flows import Absorption, Drag, Thrust
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, GuardFailed, Observable, Run, components
 from corollary.scenes.scene import Body, Force, Scene

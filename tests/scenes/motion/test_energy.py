@@ -6,11 +6,9 @@ from fractions import Fraction
 import mpmath
 import pytest
 
+from corollary.scenes.forces.bonds import Spring
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.weight import Weight
-from corollary.scenes.forces.well import Well
+from corollary.scenes.forces.fields import InverseSquare, Weight, Well
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.run import components

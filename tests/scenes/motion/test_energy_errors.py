@@ -6,13 +6,9 @@ from fractions import Fraction
 import mpmath
 import pytest
 
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.thrust import Thrust
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.contact import Contact, Friction, HardWall
+from corollary.scenes.forces.fields import ForceFunction, Weight
+from corollary.scenes.forces.flows import Drag, Thrust
 from corollary.scenes.plan import plan, play
 from corollary.scenes.run import GuardFailed
 from corollary.scenes.run import Observable as O

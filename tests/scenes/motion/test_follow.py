@@ -5,11 +5,9 @@ import math
 import pytest
 
 from corollary.derive.ready_scenes import run
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
-from corollary.scenes.forces.well import Well
+from corollary.scenes.forces.contact import Contact, HardWall
+from corollary.scenes.forces.fields import Weight, Well
+from corollary.scenes.forces.flows import Drag
 from corollary.scenes.motion import stepper
 from corollary.scenes.motion.conserved import never_meets
 from corollary.scenes.motion.follow import follow

@@ -6,9 +6,8 @@ import math
 
 import pytest
 
-from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.contact import HardWall
+from corollary.scenes.forces.fields import InverseSquare, Weight
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene

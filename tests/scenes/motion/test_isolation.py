@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from corollary.scenes.motion.first_root import POINTS, bracketed, first_fall
+from corollary.scenes.motion.path import POINTS, bracketed, first_fall
 
 
 @pytest.mark.parametrize("law", [lambda x: x, lambda x: x * abs(x), lambda x: np.sign(x) * np.sqrt(abs(x))])

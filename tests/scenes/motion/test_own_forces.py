@@ -8,11 +8,8 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.contact import Contact, Friction, HardWall
+from corollary.scenes.forces.fields import ForceFunction, Weight
 from corollary.scenes.motion.own_forces import LOOKS
 from corollary.scenes.plan import play
 from corollary.scenes.run import GuardFailed, Observable, Run, components

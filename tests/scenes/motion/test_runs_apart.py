@@ -7,9 +7,9 @@ import math
 from scipy.integrate import solve_ivp
 
 from corollary.scenes.body import Body
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Spring
+from corollary.scenes.forces.fields import Weight
+from corollary.scenes.forces.flows import Drag
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable, components
 from corollary.scenes.scene import Scene

@@ -4,9 +4,9 @@ import math
 
 import pytest
 
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.contact import Friction
+from corollary.scenes.forces.fields import Weight
+from corollary.scenes.forces.flows import Drag
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene

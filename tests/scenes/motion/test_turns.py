@@ -10,16 +10,12 @@ from scipy.optimize import brentq
 from tests.shares import share
 
 from corollary.scenes.body import Body
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
-from corollary.scenes.forces.well import Well
+from corollary.scenes.forces.bonds import Spring
+from corollary.scenes.forces.contact import Friction, HardWall
+from corollary.scenes.forces.fields import ForceFunction, InverseSquare, Weight, Well
+from corollary.scenes.forces.flows import Drag
+from corollary.scenes.motion.observe import extremes
 from corollary.scenes.motion.path import Turn
-from corollary.scenes.motion.turns import extremes
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, Observable, components
 from corollary.scenes.scene import Scene

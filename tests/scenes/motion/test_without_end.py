@@ -6,11 +6,9 @@ from random import Random
 
 import pytest
 
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.rod import String
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Spring, String
+from corollary.scenes.forces.contact import Contact, HardWall
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.motion.follow import Follower, follow
 from corollary.scenes.plan import play
 from corollary.scenes.run import GuardFailed

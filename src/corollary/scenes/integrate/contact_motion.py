@@ -14,9 +14,9 @@ import math
 from corollary.scenes.integrate.both_ways import ways
 
 kernel, module = ways(__name__)
-stages, law, rest = module("stages"), module("row_law"), module("row_rest")
+stages, law, events = module("stages"), module("row_law"), module("row_events")
 stage, finish, error_size, factor = stages.stage, stages.finish, stages.error_size, stages.factor
-whole, push, never_faster = stages.whole, law.push, rest.never_faster
+whole, push, never_faster = stages.whole, law.push, events.never_faster
 STAGES, EVALUATIONS = stages.STAGES, stages.EVALUATIONS
 
 W, P, SPIN, TIME, TURN = 0, 1, 2, 3, 4

@@ -10,11 +10,11 @@ import math
 from corollary.scenes.integrate.both_ways import ways
 
 kernel, module = ways(__name__)
-events, rest, law, stages = module("row_events"), module("row_rest"), module("row_law"), module("stages")
+events, law, stages = module("row_events"), module("row_law"), module("stages")
 active_part, settle, inactive = events.active_part, events.settle, events.inactive
 first_touch, fly, suited, due = events.first_touch, events.fly, events.suited, events.due
 nears_zero, crossing = events.nears_zero, events.crossing
-stays, at_rest = rest.stays, rest.at_rest
+stays, at_rest = events.stays, events.at_rest
 push, slope, step, value_in, stride_for = law.push, law.slope, law.step, law.value_in, law.stride_for
 conserved = law.conserved
 damped_force, largest_force, largest_overlap = law.damped_force, law.largest_force, law.largest_overlap

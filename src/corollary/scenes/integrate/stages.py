@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from corollary.scenes.integrate.both_ways import ways
-from corollary.scenes.integrate.dop853 import DOP853
+from corollary.scenes.integrate.runge_kutta import DOP853
 
 kernel, _ = ways(__name__)
 

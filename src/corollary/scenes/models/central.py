@@ -8,7 +8,7 @@ from flint import acb, arb
 
 from corollary.formula.ball import Ball
 from corollary.formula.functions import ball_root
-from corollary.scenes.forces.well import Well
+from corollary.scenes.forces.fields import Well
 from corollary.scenes.models.certain import Balls, Evaluated, integral, root, sign
 
 GONE = "it starts at the edge on its way out: nothing acts beyond"

@@ -10,11 +10,10 @@ from itertools import combinations
 
 import numpy as np
 
-from corollary.scenes.constraint import Constraint, State
+from corollary.scenes.body import Constraint, State
 from corollary.scenes.motion.conserved import energy, keeps_energy, kinetic, never_meets, used_up
 from corollary.scenes.motion.equations_of_motion import Mode, Slope, System
-from corollary.scenes.motion.guards import Guards
-from corollary.scenes.motion.modes import Moment, drifted
+from corollary.scenes.motion.modes import Guards, Moment, drifted
 from corollary.scenes.motion.own_forces import overlooked
 from corollary.scenes.motion.path import Happening, Stretch, Trajectory
 from corollary.scenes.motion.sizes import FINEST_OVERLAP, Sizes, least_squeeze, sizes_of

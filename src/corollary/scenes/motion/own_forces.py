@@ -9,9 +9,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from corollary.scenes.constraint import State
-from corollary.scenes.motion.first_root import POINTS, Array, coefficients
-from corollary.scenes.motion.path import Stretch
+from corollary.scenes.body import State
+from corollary.scenes.motion.path import POINTS, Array, Stretch, coefficients
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.scene import Force, Scene
 from corollary.scenes.validation import failing

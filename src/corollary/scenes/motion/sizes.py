@@ -6,11 +6,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.contact import Contact, Friction, HardWall
+from corollary.scenes.forces.fields import Weight
+from corollary.scenes.forces.flows import Drag
 from corollary.scenes.motion.equations_of_motion import System
 from corollary.scenes.motion.own_forces import pushed
 from corollary.scenes.row import reduced_mass

@@ -11,20 +11,20 @@ from collections.abc import Callable
 import numpy as np
 from scipy.integrate import DOP853, Radau
 
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.fields import Weight
+from corollary.scenes.forces.flows import Drag
 from corollary.scenes.motion.equations_of_motion import Mode, Slope, System
-from corollary.scenes.motion.first_root import (
+from corollary.scenes.motion.modes import Guards
+from corollary.scenes.motion.own_forces import refuse_failing
+from corollary.scenes.motion.path import (
     POINTS,
+    Stretch,
     bracketed,
     certainly_positive,
     coefficients,
     first_fall,
     root_of,
 )
-from corollary.scenes.motion.guards import Guards
-from corollary.scenes.motion.own_forces import refuse_failing
-from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.run import FINER, GuardFailed
 

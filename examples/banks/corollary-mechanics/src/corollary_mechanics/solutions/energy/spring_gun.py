@@ -4,8 +4,7 @@ from math import sqrt
 
 from corollary.author import choice, derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.fields import ForceFunction, Weight
 from corollary.scenes.scene import Body, Scene
 
 

@@ -2,7 +2,7 @@
 
 from corollary.author import choice, derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.inverse_square import InverseSquare
+from corollary.scenes.forces.fields import InverseSquare
 from corollary.scenes.scene import Body, Scene
 
 

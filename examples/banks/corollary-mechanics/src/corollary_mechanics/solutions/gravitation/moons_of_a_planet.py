@@ -4,7 +4,7 @@ from math import pi
 
 from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.inverse_square import InverseSquare
+from corollary.scenes.forces.fields import InverseSquare
 from corollary.scenes.scene import Body, Scene
 
 

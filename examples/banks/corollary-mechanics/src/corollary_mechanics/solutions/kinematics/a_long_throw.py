@@ -4,7 +4,7 @@ from math import cos, pi
 
 from corollary.author import derivation, mistake, simulate, step, unknowns, vector
 from corollary.laws import law, position_at, without_time, wrong
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.scene import Body, Scene
 
 

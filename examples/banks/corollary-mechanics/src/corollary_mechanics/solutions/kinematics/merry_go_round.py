@@ -2,7 +2,7 @@
 
 from corollary.author import choice, derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.rod import Rod
+from corollary.scenes.forces.bonds import Rod
 from corollary.scenes.scene import Body, Scene
 
 

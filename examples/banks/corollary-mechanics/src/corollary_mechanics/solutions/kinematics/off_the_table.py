@@ -4,7 +4,7 @@ from math import tan
 
 from corollary.author import choice, derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, position_at, velocity_at, wrong
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.scene import Body, Scene
 
 

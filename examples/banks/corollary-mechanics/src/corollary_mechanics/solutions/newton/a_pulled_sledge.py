@@ -4,9 +4,8 @@ from math import cos, sin
 
 from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.contact import HardWall
+from corollary.scenes.forces.fields import ForceFunction, Weight
 from corollary.scenes.scene import Body, Scene
 
 

@@ -2,7 +2,7 @@
 
 from corollary.author import choice, derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.fields import ForceFunction
 from corollary.scenes.scene import Body, Scene
 
 

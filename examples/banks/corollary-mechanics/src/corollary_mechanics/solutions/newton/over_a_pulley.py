@@ -2,8 +2,8 @@
 
 from corollary.author import derivation, mistake, route, simulate, step, unknowns
 from corollary.laws import law, without_time, wrong
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.rod import Rod
+from corollary.scenes.forces.bonds import Rod
+from corollary.scenes.forces.fields import ForceFunction
 from corollary.scenes.scene import Body, Scene
 
 

@@ -2,9 +2,9 @@
 
 from corollary.author import derivation, mistake, route, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.rod import Rod
+from corollary.scenes.forces.bonds import Rod
+from corollary.scenes.forces.contact import Friction
+from corollary.scenes.forces.fields import ForceFunction
 from corollary.scenes.scene import Body, Scene
 
 

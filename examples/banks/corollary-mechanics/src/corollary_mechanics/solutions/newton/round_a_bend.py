@@ -4,7 +4,7 @@ from math import hypot, pi
 
 from corollary.author import HALF_PI, choice, derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, on_a_circle, wrong
-from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.fields import ForceFunction
 from corollary.scenes.scene import Body, Scene
 
 

@@ -4,7 +4,7 @@ from math import pi, sqrt
 
 from corollary.author import choice, derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.spring import Spring
+from corollary.scenes.forces.bonds import Spring
 from corollary.scenes.scene import Body, Scene
 
 

@@ -4,8 +4,8 @@ from math import pi
 
 from corollary.author import code, derivation, file, mistake, module, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.spring import Spring
+from corollary.scenes.forces.bonds import Spring
+from corollary.scenes.forces.flows import Drag
 from corollary.scenes.scene import Body, Scene
 
 SWING = module("damped_swing/judge_swing.py")

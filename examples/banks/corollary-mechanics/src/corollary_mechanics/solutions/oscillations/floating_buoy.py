@@ -4,7 +4,7 @@ from math import pi, sqrt
 
 from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.fields import ForceFunction
 from corollary.scenes.scene import Body, Scene
 
 

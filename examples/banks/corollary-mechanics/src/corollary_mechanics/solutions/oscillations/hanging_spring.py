@@ -2,8 +2,8 @@
 
 from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Spring
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.scene import Body, Scene
 
 

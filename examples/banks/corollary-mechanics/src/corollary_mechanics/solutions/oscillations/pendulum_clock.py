@@ -4,8 +4,8 @@ from math import pi, sin
 
 from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.rod import Rod
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Rod
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.scene import Body, Scene
 
 

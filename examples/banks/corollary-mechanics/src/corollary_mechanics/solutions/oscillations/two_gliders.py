@@ -17,7 +17,7 @@ from corollary.author import (
     variable,
 )
 from corollary.laws import balance, law, second_law, wrong
-from corollary.scenes.forces.spring import Spring
+from corollary.scenes.forces.bonds import Spring
 from corollary.scenes.scene import Body, Scene
 
 

@@ -6,8 +6,8 @@ from scipy.special import ellipkinc
 
 from corollary.author import choice, derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
-from corollary.scenes.forces.rod import Rod
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.bonds import Rod
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.scene import Body, Scene
 
 

@@ -4,8 +4,8 @@ from math import pi
 
 from corollary.author import derivation, mistake, route, simulate, step, unknowns
 from corollary.laws import angular_second_law, law, wrong
-from corollary.scenes.forces.function import ForceFunction
-from corollary.scenes.forces.wall import HardWall
+from corollary.scenes.forces.contact import HardWall
+from corollary.scenes.forces.fields import ForceFunction
 from corollary.scenes.scene import Body, Scene
 
 

@@ -7,8 +7,8 @@ import math
 from corollary.formula.ball import Ball
 from corollary.scenes.definition import Setting, Settings, numbers
 from corollary.scenes.film import Film, film
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
+from corollary.scenes.forces.contact import HardWall
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.models.certain import Evaluated, by_formulas, sign
 from corollary.scenes.plan import followed
 from corollary.scenes.run import Run

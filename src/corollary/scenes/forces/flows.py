@@ -1,4 +1,4 @@
-"""Drag of a fluid, linear and quadratic in the velocity relative to it."""
+"""Forces of what flows: drag of a fluid, mass thrown out, and mass taken up."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.constraint import State
+from corollary.scenes.body import State
 from corollary.scenes.scene import Event, ForceOnOne, Pushes, Scene, velocity
 from corollary.scenes.validation import refuse_below_zero, refuse_components
 
@@ -58,3 +58,45 @@ class Drag(ForceOnOne):
     def _relative(self, scene: Scene, state: State) -> list[float]:
         wind = self.wind or (0.0,) * scene.axes
         return [v - w for v, w in zip(velocity(scene, state, self.body), wind, strict=True)]
+
+
+@dataclass(frozen=True, slots=True)
+class Thrust(ForceOnOne):
+    """Exhaust leaves one body with velocity `relative` to it, at the rate of `burn` kg/s (> 0).
+
+    Its force is v_rel dm/dt, and dm/dt is negative.
+    """
+
+    relative: tuple[float, ...]
+    burn: float
+
+    def fits(self, scene: Scene) -> None:
+        refuse_below_zero(scene.name, self, above=("burn",))
+        refuse_components(scene.name, scene.axes, self, "relative")
+
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
+        yield self.body, [-self.burn * v for v in self.relative]
+
+    @property
+    def mass_rates(self) -> tuple[tuple[int, float], ...]:
+        return ((self.body, -self.burn),)
+
+
+@dataclass(frozen=True, slots=True)
+class Absorption(ForceOnOne):
+    """One body takes up mass that moves with `velocity`, at `rate` kg/s (not negative); its force is (u - v) dm/dt."""
+
+    velocity: tuple[float, ...]
+    rate: float
+
+    def fits(self, scene: Scene) -> None:
+        refuse_below_zero(scene.name, self, least=("rate",))
+        refuse_components(scene.name, scene.axes, self, "velocity")
+
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
+        own = velocity(scene, state, self.body)
+        yield self.body, [self.rate * (u - v) for u, v in zip(self.velocity, own, strict=True)]
+
+    @property
+    def mass_rates(self) -> tuple[tuple[int, float], ...]:
+        return ((self.body, self.rate),)
