@@ -213,7 +213,7 @@ def test_letters_with_indices_side_by_side(text, names, same):
 @pytest.mark.parametrize(
     ("text", "question", "told"),
     [
-        ("see above", SPEED, "there is no number in this"), ("at 8.85 m/s", SPEED, "“at” in front of the number is not understood"),
+        ("see above", SPEED, "there is no number in this"), ("per 8.85 m/s", SPEED, "“per” in front of the number is not understood"),
         ("(8.5", SPEED, "a bracket is never closed"),
         ("(3, 4, 5) m/s", SPEED, "one number is asked for, not several"), ("8.5 m/s (heat)", SPEED, "“heat” beside the number may be a sign"),
         ("(3, 4, 5, 6)", MOMENTUM, "2 components are expected, not 4; write them as (3; 4) kg m/s"), ("5", MOMENTUM, "2 components are expected, not 1"),

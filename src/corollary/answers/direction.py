@@ -146,7 +146,7 @@ TWO_WAYS = re.compile(  # `(positive, up)`
     re.IGNORECASE,
 )
 # `301 kg left`: what is asked for has no direction.
-ANOTHER_SIDE: str = "front opposite other against wrong below above under less more lost gained before half twice each per left down back"
+ANOTHER_SIDE: str = "front opposite other against wrong below above under less more lost gained before half twice each per left down back too short missing lacking wrong almost nearly not"
 CONTRARY = frozenset(ANOTHER_SIDE.split())
 LEFT_OVER = re.compile(
     r"(?<=[A-Za-z%])(?<!\bthe)\s+(?:(?:is|are|was|were) )?(?:left(?: over)?|remaining)\.?\s*$", re.IGNORECASE

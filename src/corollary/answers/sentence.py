@@ -12,7 +12,7 @@ from corollary.answers.question import Question
 from corollary.answers.remark import DENIED
 from corollary.answers.sign_words import SIGNS
 from corollary.answers.unit_meant import unit_meant
-from corollary.units.unit import Unit
+from corollary.units.unit import ONE, Unit, read_unit
 
 LONGEST, MOST_WORDS = 200, 30
 NUMBER = re.compile(
@@ -42,6 +42,8 @@ def told(text: str, count: int, question: Question) -> Told | None:
         if found.start() < at:
             return None
         end = found.end() + _unit_behind(text[found.end() :], question.unit)
+        if end == found.end() and not _needs_no_unit(text[end:], question.unit):
+            return None
         pieces.append(text[at : found.start()])
         quantities.append(text[found.start() : end].strip())
         at = end
@@ -81,6 +83,13 @@ def by_names(sentence: Told, names: Sequence[str]) -> tuple[str, ...] | None:
             if sorted(order) == sorted(names):
                 return tuple(sentence.quantities[order.index(name)] for name in names)
     return None
+
+
+def _needs_no_unit(rest: str, expected: Unit) -> bool:
+    """True where a plain number is asked for, and the word behind one is no unit of something else."""
+    word = re.match(r"\s*([^\W\d_%°]+)", rest)
+    pure = expected.dimension == ONE and not expected.is_angle
+    return pure and (word is None or not isinstance(read_unit(word[1]), Unit))
 
 
 def _unit_behind(rest: str, expected: Unit) -> int:
