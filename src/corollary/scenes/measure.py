@@ -289,10 +289,6 @@ def measured(
         error: Observed = errors if isinstance(value, tuple) else errors[0]
         size = size or _unmet(right, what)
         found[what.value] = Measurement(value, error, "estimate", "integration", why, size, condition)
-    if rough.order() != right.order() and not right.rests:
-        warnings.append(
-            "two runs of different accuracy differ in the order of what happens: contacts all but coincide"
-        )
     if grazes < math.inf:
         warnings.append(
             f"a touch grazes at about {grazes:.6g} s: whether it happens is within the error, and nothing is certain: move a body a little"

@@ -122,7 +122,7 @@ class Run:
     """One scene, played: what was observed by name, and how it ended.
 
     `evaluations` counts the forces evaluated, those for the error estimate included. `warnings` are sentences about what makes the
-    values uncertain: a grazing hit, contacts that all but coincide, chaos. `scene`, `settings` and `seconds` are filled in by who
+    values uncertain: a grazing hit, bounces without end, chaos. `scene`, `settings` and `seconds` are filled in by who
     had it played.
     """
 

@@ -155,10 +155,6 @@ def minima(values: Array) -> list[tuple[float, float]]:
     ]
 
 
-# What lasts for such a part of the time until then is over as it begins.
-BRIEF = 1e-12
-
-
 @dataclass(frozen=True, slots=True)
 class Stretch:
     """One step: from `begin` (s) for `lasts` (s), in one mode; of order eight if it is `explicit`.
@@ -304,32 +300,6 @@ class Trajectory:
         """The states at all ends of steps."""
         return [*(stretch.before for stretch in self.stretches), self.state]
 
-    def order(self) -> list[object]:
-        """What happens, in turn: hits, and what touches, holds or sticks as soon as that is another.
-
-        A force may go by the side of a place or the sign of a speed: nothing happens there. Nor does anything come of what holds for no
-        time, or of a second hit at once, of a body that is put back on what it is tied to.
-        Bodies that part together still count as touching: errors decide when their overlap is used up.
-        """
-        modes = [*(stretch.mode for stretch in self.stretches), self.mode]
-        found: list[object] = []
-        parted: dict[str, bool] = {}
-        holds = _holding(modes[0], parted) if modes[0] else None
-        ends = [*(each.time for each in self.happenings[1:]), math.inf]
-        hit, again = -math.inf, self.near / (self.fast or math.inf)
-        for happening, end in zip(self.happenings, ends, strict=False):
-            parted[happening.what] = happening.together
-            if happening.what.startswith("hit"):
-                if found[-1:] != [happening.what] or happening.time - hit > again:
-                    found.append(happening.what)
-                hit = happening.time
-            mode = modes[happening.stretch]
-            lasts = end - happening.time > BRIEF * happening.time
-            if mode and lasts and (now := _holding(mode, parted)) != holds:
-                found.append(now)
-                holds = now
-        return found
-
     def touching(self) -> tuple[bool, ...]:
         """Which pairs touch in the end, or have only parted together since they did."""
         return (
@@ -351,8 +321,3 @@ class Trajectory:
 def _touching(mode: Mode, parted: Mapping[str, bool]) -> tuple[bool, ...]:
     """Which pairs touch, or have only `parted` together."""
     return tuple(on or parted.get(f"touch {j}", False) for j, on in enumerate(mode.touching))
-
-
-def _holding(mode: Mode, parted: Mapping[str, bool]) -> object:
-    """What holds, sticks, slips or touches."""
-    return mode.held, mode.rubbed, _touching(mode, parted)
