@@ -15,7 +15,7 @@ from corollary.answers.positive_direction import REFERENCE_LINE, line_of, sign_o
 from corollary.answers.preamble import OF_A_SIGN, reason_in, ways_before, without_reason
 from corollary.answers.question import Question
 from corollary.answers.remark import HARMLESS, remark_in
-from corollary.answers.sentence import Told, told
+from corollary.answers.sentence import QuantitySentence, sentence_in
 from corollary.answers.sign_words import AXIS_OF, SIGNS
 from corollary.formula.ast import Negative
 from corollary.formula.value import Text, Value
@@ -146,7 +146,10 @@ TWO_WAYS = re.compile(  # `(positive, up)`
     re.IGNORECASE,
 )
 # `301 kg left`: what is asked for has no direction.
-ANOTHER_SIDE: str = "front opposite other against wrong below above under less more lost gained before half twice each per left down back too short missing lacking wrong almost nearly not"
+ANOTHER_SIDE: str = (
+    "front opposite other against wrong below above under less more lost gained before half twice each per left down back too "
+    "short missing lacking almost nearly not but anything everything"
+)
 CONTRARY = frozenset(ANOTHER_SIDE.split())
 LEFT_OVER = re.compile(
     r"(?<=[A-Za-z%])(?<!\bthe)\s+(?:(?:is|are|was|were) )?(?:left(?: over)?|remaining)\.?\s*$", re.IGNORECASE
@@ -160,10 +163,10 @@ REFERENCE_BEHIND = re.compile(
 )
 
 
-# `0.8 m/s to the left, i.e. -0.8 m/s`, `9.9 m/s, which is about 36 km/h`: one value, said twice.
-SAID_AGAIN = re.compile(
-    r"(?P<first>[^=]*?[0-9][^=]*?)(?:\s*\(\s*(?:that is|i\.e\.,?|or|which is)\s+|[,;]?\s+(?:i\.e\.,?|that is,?|which is|which means|so|hence|thus|das sind|dvs\.?)\s+)"
-    r"(?:about |approximately |(?:the|its) (?:\w+ ){1,2}is )?(?:[^\W\d_]\w{0,3}\s*=\s*)?(?P<second>[-+−]?\s?[0-9.,]+[^,;()=]*?)\s*\)?\.?\s*",
+# `0.8 m/s to the left, i.e. -0.8 m/s`, `9.9 m/s, which is about 36 km/h`: one value, given twice.
+AGAIN = re.compile(
+    r"(?:\s*\(\s*|[,;]?\s+)(?:i\.e\.,?|that is,?|or|which is|which means|so|hence|thus|das sind|dvs\.?)\s+"
+    r"(?:about |approximately |(?:the|its) (?:\w+ ){1,2}is )?(?:[^\W\d_]\w{0,3}\s*=\s*)?(?=[-+−]?\s?[0-9.,])",
     re.IGNORECASE,
 )
 
@@ -208,14 +211,8 @@ def with_direction(
     """
     if not isinstance(value, Text) or len(value.text) > LONGEST:
         return read(value)
-    if (again := SAID_AGAIN.fullmatch(value.text)) is not None:
-        said = [
-            with_direction(Text(each), question, read, component) for each in again.group("first", "second")
-        ]
-        if _is_unread(said[0]) and (sentence := told(again["first"], 1, question)) is not None:
-            said[0] = read(Text(sentence.quantities[0]))
-        if (one := _one_value(*said)) is not None:
-            return one
+    if (one := _value_again(value.text, question, read, component)) is not None:
+        return one
     value = Text(without_reason(value.text))
     if not directed(question) and (rest := LEFT_OVER.search(value.text)):
         value = Text(value.text[: rest.start()])
@@ -244,8 +241,12 @@ def with_direction(
             behind = read(Text(led.text))
             if len(signs) == 1 and not _has_minus(behind):
                 return _signed(behind, signs.pop(), " ".join(led.ways)) if directed(question) else behind
-        if _is_unread(remarked) and not component and (sentence := told(value.text, 1, question)) is not None:
-            return _told_alone(sentence, read(Text(sentence.quantities[0])), question) or remarked
+        if (
+            _is_unread(remarked)
+            and not component
+            and (sentence := sentence_in(value.text, 1, question)) is not None
+        ):
+            return _only_quantity(sentence, read(Text(sentence.quantities[0])), question) or remarked
         if found is None or not _is_unread(remarked):
             return remarked
     if found.sign is None or (_has_minus(answer) and not EXPLAINS.match(text.removeprefix(found.text))):
@@ -253,7 +254,21 @@ def with_direction(
     return _signed(answer, found.sign, found.words)
 
 
-def _told_alone(sentence: Told, answer: Answer, question: Question) -> Answer | None:
+def _value_again(
+    text: str, question: Question, read: Callable[[Value], Answer], component: str
+) -> Answer | None:
+    """What a text says twice, in other words or another unit; None where it does not."""
+    found = list(AGAIN.finditer(text))
+    if len(found) != 1 or not re.search("[0-9]", text[: found[0].start()]) or "=" in text[: found[0].start()]:
+        return None
+    first, second = text[: found[0].start()], text[found[0].end() :].rstrip(" .)")
+    spoken = [with_direction(Text(each), question, read, component) for each in (first, second)]
+    if _is_unread(spoken[0]) and (sentence := sentence_in(first, 1, question)) is not None:
+        spoken[0] = read(Text(sentence.quantities[0]))
+    return _one_value(*spoken)
+
+
+def _only_quantity(sentence: QuantitySentence, answer: Answer, question: Question) -> Answer | None:
     """The one quantity of a sentence; with either sign where its words may turn it."""
     if (
         not isinstance(answer, Numbers)
@@ -275,12 +290,19 @@ def _told_alone(sentence: Told, answer: Answer, question: Question) -> Answer | 
 def _one_value(first: Answer, second: Answer) -> Answer | None:
     """What two sayings of one value come to: the second, where their sizes agree and no sign contradicts; else None."""
     match first, second:
-        case (Numbers((one,)) | Unclear(readings=(Numbers((one,)), *_)), Numbers((other,))):
+        case (Numbers((one,)) | Unclear(readings=(Numbers((one,)), *_)), Numbers((other,))) if not (
+            isinstance(first, Unclear) and _names_a_way(first.as_read)
+        ):
             same = math.isclose(abs(one), abs(other), rel_tol=0.01)
             clashes = isinstance(first, Numbers) and (first.in_words or one < 0) and one * other < 0
             return second if same and not clashes and not (second.misfit or second.missing) else None
         case _:
             return None
+
+
+def _names_a_way(text: str) -> bool:
+    """True where a direction is named in words."""
+    return bool(SIGNS.keys() & set(re.findall(r"[^\W\d_]+", text.lower())))
 
 
 def _has_minus(answer: Answer) -> bool:
@@ -308,7 +330,9 @@ def _remarked(
         text
     ):  # an axis that the answer does not have turns nothing, and is not passed over
         return unread
-    if not (directed(question) or _has_place(question)) and SIGNS.keys() & set(remark.words.lower().split()):
+    if (component or not (directed(question) or _has_place(question))) and SIGNS.keys() & set(
+        remark.words.lower().split()
+    ):
         return unread
     answer = with_direction(Text(remark.text), question, read, component)
     if _is_unread(answer) or isinstance(answer, Blank):
@@ -332,21 +356,23 @@ def _has_place(question: Question) -> bool:
 
 def _repeats(words: str, question: Question) -> bool:
     """True for words of the question itself beside what has no direction: `56 cm behind the mirror`, where just that is asked."""
-    said = {word.lower() for word in re.findall(r"[^\W\d_]+", words)}
+    spoken = {word.lower() for word in re.findall(r"[^\W\d_]+", words)}
     known = {word.lower() for word in re.findall(r"[^\W\d_]+", f"{question.title} {question.text}")}
     return (
         not directed(question)
-        and not said & SIGNS.keys()
+        and not spoken & SIGNS.keys()
         and not OF_A_SIGN.search(words)
-        and said <= known | HARMLESS
+        and spoken <= known | HARMLESS
     )
 
 
 def _is_contrary(words: str, question: Question) -> bool:
     """True where words may name the other side of what is asked for, and are not the question's own."""
-    said = {word.lower() for word in re.findall(r"[^\W\d_]+", words)}
+    spoken = {word.lower() for word in re.findall(r"[^\W\d_]+", words)}
     known = {word.lower() for word in re.findall(r"[^\W\d_]+", question.text)}
-    return bool((said & CONTRARY) - known)
+    named = re.search(r"\b[B-HJ-Z]\b|\bA\b(?! )|axis|-achse|-akse", words)
+    share = question.unit.dimension == ONE and not question.unit.is_angle
+    return share or named is not None or bool(spoken & SIGNS.keys()) or bool((spoken & CONTRARY) - known)
 
 
 def _is_unread(answer: Answer) -> bool:

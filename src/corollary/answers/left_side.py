@@ -259,6 +259,13 @@ def turns(found: Solved | None) -> bool:
     return found is not None and found.function in ("sin", "cos", "tan")
 
 
+def has_letters(side: str, expected: Unit | None, question: Question | None) -> bool:
+    """True for a side whose letters are no units: one letter to solve for, or a formula of what is asked for, `sqrt(2 g L)`."""
+    if solvable(side, question):
+        return True
+    return expected is not None and gives_what_is_asked(side, expected.dimension, question) is not False
+
+
 def named(sides: Sequence[str], question: Question | None = None) -> bool:
     """True if one of the sides is a name or talk: then the last side is its value."""
     return any(is_name(side, question) or is_talk(side, question) for side in sides)

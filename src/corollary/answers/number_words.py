@@ -125,3 +125,20 @@ def in_digits(normalized: str, *, pure: bool) -> str:
     if found := FIRST.match(normalized):
         return found[1] + str(NUMBERS[found[2].lower()]) + normalized[found.end() :]
     return normalized
+
+
+CLOCK = re.compile(
+    r"\s*(?P<large>[0-9]{1,4}):(?P<small>[0-5][0-9])\s*(?P<unit>min|minutes|h|hours)\.?\s*"
+)  # `4:06 min`
+MINUTES = re.compile(r"\s*([0-9]+)\s?(?:m|')\s?([0-9]+(?:[.,][0-9]+)?)\s?(?:s|''|\")\s*")  # `4m 6s`
+
+
+def clock_in_units(text: str) -> str:
+    """`4:06 min` as `4 min 06 s`, `4m 6s` as `4 min 6 s`."""
+    return CLOCK.sub(_of_a_clock, MINUTES.sub(r"\1 min \2 s", text))
+
+
+def _of_a_clock(found: re.Match[str]) -> str:
+    """`4:06 min` as `4 min 06 s`."""
+    units = ("min", "s") if found["unit"].startswith("min") else ("h", "min")
+    return f"{found['large']} {units[0]} {found['small']} {units[1]}"

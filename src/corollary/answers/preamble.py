@@ -43,7 +43,7 @@ SENTENCE = re.compile(
 )
 # A clause of words that ends with a mark or a verb: `twice as much: 172 N`, `perpendicular to the wall, 90°`, `I calculated 172 N`.
 CLAUSE = re.compile(
-    r"(?P<words>(?:[0-9]+ times|[^\W\d_]+['’]?[^\W\d_]*)(?:,?[ -][^\W\d_]+['’]?[^\W\d_]*){0,16})"
+    r"(?P<words>(?:[0-9]+ times|[^\W\d_]+(?:['’][^\W\d_]*)?)(?:,?[ -][^\W\d_]+(?:['’][^\W\d_]*)?){0,16})"
     r"(?:\s*(?P<mark>[:;,.])\s+(?:(?:and\s+)?(?:so|thus|hence|therefore|that is|i\.e\.|namely|at|by|about|also|damit|altså)\s+)?|(?P<colon>:)|\s+)"
     r"(?:(?<=\s)[^\W\d_]\w{0,3}\s*=\s*|[ΔδdD∆][^\W\d_]\w?\s*=\s*)?(?=(?P<signed>[-−])?[+≈~]?\s*(?:[0-9]|[.,][0-9]|√))"
 )
@@ -51,6 +51,9 @@ TIMES_AS = re.compile(r"\b\w+ times\b")
 HALF_OF_A_NAME = re.compile(
     r"\bhalf[- ](?=(?:sine|period|wave|life|swing|turn)\b)|\beach other\b", re.IGNORECASE
 )
+NO_WAY = re.compile(
+    r"(?<=catches )up\b|(?<=catch )up\b|(?<=ends )up\b|(?<=adds )up\b"
+)  # verbs that name no direction
 AS_BEFORE = re.compile(r"\bas \w+ (?:as before|again)\b")
 CONCLUDING = re.compile(r", (?:and )?(?:so|thus|hence|therefore|damit|also|altså) ", re.IGNORECASE)
 CONCLUDES = re.compile(r", (?:and )?(?:so|thus|hence|therefore|namely|also|damit|altså)$", re.IGNORECASE)
@@ -58,8 +61,8 @@ RIGHT_ANGLE = re.compile(r"\bright angles?\b", re.IGNORECASE)
 RATIO_WORDS: str = "half third quarter twice double doubled triple thrice halb halbe doppelt doppelte halv halve dobbel dobbelt times much"
 # What makes another value of the number behind it, or leaves open which one is meant.
 TURNING: str = (
-    "if unless except either both per each every and or oder eller und og between than least most more less minimum maximum above below over "
-    "under until from error uncertainty before initial initially previous previously earlier first old vorher før wenn hvis pro "
+    "hardly barely scarcely kaum knapt if unless except but either both per each every and or oder eller und og between than least most more less minimum maximum above below "
+    "over under until from error uncertainty before initial initially previous previously earlier first old vorher før wenn hvis pro "
     "second third other another last next each lost lose loses losing gained gain gains increases increased decreases decreased reduced toward towards away against"
 )
 WAYS = frozenset(["toward", "towards", "away", "against", "opposite", "lost", "loses", *SIGNS])
@@ -221,16 +224,20 @@ def _clause(text: str) -> tuple[int, list[str]]:
         return 0, []
     concluded = None
     marked = bool(found["mark"] or found["colon"] or CONCLUDES.search(found["words"]))
-    words = HALF_OF_A_NAME.sub("", RIGHT_ANGLE.sub("angle", found["words"])).replace(",", " ").split()
+    words = (
+        NO_WAY.sub("", HALF_OF_A_NAME.sub("", RIGHT_ANGLE.sub("angle", found["words"])))
+        .replace(",", " ")
+        .split()
+    )
     small = [part for word in words for part in word.lower().split("-")]
     if not marked and (concluded := CONCLUDING.search(found["words"])):
         small = found["words"][concluded.end() :].lower().split()  # `it is twice that, so the force is 3 N`
-    changed = TURNED if marked else TURNED | OF_CHANGE
+    changed = TURNED if marked and len(words) > 2 else TURNED | OF_CHANGE
     if found["signed"] and (marked or concluded):
         changed = changed - WAYS  # `it is pushed backwards, so -3 N`
-    plain = AS_BEFORE.sub("", " ".join(small))
-    small = (TIMES_AS.sub("", plain) if marked else plain).split()
-    ratios = RATIO_WORDS.split() if marked else ()
+    lowered = AS_BEFORE.sub("", " ".join(small))
+    small = (TIMES_AS.sub("", lowered) if marked else lowered).split()
+    ratios = RATIO_WORDS.split() if marked and len(words) > 2 else ()
     if (
         changed.intersection(small)
         or DENIED.search(" ".join(word for word in small if word not in ratios))
@@ -264,8 +271,8 @@ def ways_before(text: str) -> WaysBefore | None:
     ):
         return None
     rest = " ".join(word for word in found["words"].split() if word.lower() not in SIGNS)
-    plain = f"{rest or 'that'} is {text.lstrip()[found.end() :]}"
-    end, _sides = _clause(plain) if rest else (8, [])
+    clause = f"{rest or 'that'} is {text.lstrip()[found.end() :]}"
+    end, _sides = _clause(clause) if rest else (8, [])
     return WaysBefore(text.lstrip()[found.end() :], ways) if end else None
 
 

@@ -17,6 +17,7 @@ from corollary.answers.left_side import (
     Solved,
     gives,
     gives_what_is_asked,
+    has_letters,
     is_another_given,
     named,
     solvable,
@@ -27,7 +28,7 @@ from corollary.answers.left_side import (
 )
 from corollary.answers.motion_words import motion_in_number, motion_in_numbers
 from corollary.answers.name import SYMBOL, another_body, is_name, is_talk
-from corollary.answers.number_words import in_digits
+from corollary.answers.number_words import clock_in_units, in_digits
 from corollary.answers.polar import length_and_angle
 from corollary.answers.preamble import UNCHANGING, answer_in
 from corollary.answers.question import Question
@@ -59,9 +60,8 @@ BOTH_SIGNS = re.compile(
     r"\s*\(?(?P<middle>[-+]?[0-9.,]+)\s*(?P<own>[°%A-Za-zµ][^±]*?)?\s*(?:±|\+/-|\+-)\s*(?P<half>[0-9.,]+)\)?\s*(?P<unit>[°%A-Za-zµ].*?)?\s*"
 )
 TWO_ANSWERS = re.compile(r"\d\D*\s(?:or|oder|eller|ou)\s\D*\d", re.IGNORECASE)
-NAME_BEHIND = re.compile(
-    r"\s*(?P<value>[-+−–]?\s*[0-9.,][^=≈]*?)\s*=\s*(?P<name>[^=≈\s0-9][^=≈]{0,12}?)\s*"
-)  # `86 N = F`
+# `86 N = F`
+NAME_BEHIND = re.compile(r"\s*(?P<value>[-+−–]?\s*[0-9.,][^=≈]*?)\s*=\s*(?P<name>[^=≈\s0-9][^=≈]{0,12}?)\s*")
 # As columns of tables and axes of figures are labelled: `F [N] = 86`, `F (N) = 86`, `F in N: 86`, `F/N = 86`.
 LABELLED = re.compile(
     rf"\s*(?P<name>{SYMBOL})\s*(?:\[(?P<squared>[^\[\]=]+)\]|\s\((?P<round>[^()=]+)\)|\s+in\s+(?P<led>[^=:]+?)|/\s*\(?(?P<below>[^()=:]+?)\)?)\s*[=:]\s*(?P<number>[-+−]?\s*[0-9.,]+(?:\s?(?:[eE]|[·*x×]\s?10\^?)[-+−]?[0-9]+)?)\s*"
@@ -79,10 +79,6 @@ OF_THAT = re.compile(
 )
 GLUED = re.compile(r"(?<=[A-Za-z²³°%])([+-])(?=[0-9.,]+\s*[A-Za-zµ°%])")
 PIECE = re.compile(r"([0-9]+(?:[.,][0-9]+)?)\s*(°|[A-Za-zµ]+)\.?,?")
-CLOCK = re.compile(
-    r"\s*(?P<large>[0-9]{1,4}):(?P<small>[0-5][0-9])\s*(?P<unit>min|minutes|h|hours)\.?\s*"
-)  # `4:06 min`
-MINUTES = re.compile(r"\s*([0-9]+)\s?(?:m|')\s?([0-9]+(?:[.,][0-9]+)?)\s?(?:s|''|\")\s*")  # `4m 6s`
 SEVERAL = re.compile(
     rf"\s*[-+]?(?:{PIECE.pattern}(?:\s+|(?=[0-9]))(?:and\s+|und\s+|og\s+)?)+{PIECE.pattern}\.?\s*"
 )
@@ -228,7 +224,7 @@ def _beside_sides(
         if isinstance(value, ParseError):
             value = _worked(side, SHARE_OF.sub(r"\1*", side), expected)
         if isinstance(value, ParseError) or (
-            value.fit == "wrong dimension" and _has_letters(side, expected, question)
+            value.fit == "wrong dimension" and has_letters(side, expected, question)
         ):
             unread.append(side)
         elif not _agree(value, last):
@@ -251,13 +247,6 @@ def _beside_sides(
     if any(stand_for_it):
         return tuple(each for each in stand_for_it if not isinstance(each, bool))
     return _asked_about(unread[0], last, wanted, question)
-
-
-def _has_letters(side: str, expected: Unit | None, question: Question | None) -> bool:
-    """True for a side whose letters are no units: one letter to solve for, or a formula of what is asked for, `sqrt(2 g L)`."""
-    if solvable(side, question):
-        return True
-    return expected is not None and gives_what_is_asked(side, expected.dimension, question) is not False
 
 
 def _asked_about(side: str, last: Reading, wanted: Unit, question: Question | None) -> ParseError:
@@ -340,7 +329,7 @@ def _alone(text: str, normalized: str, expected: Unit | None) -> Reading | Parse
 def _in_several_units(text: str, normalized: str, expected: Unit | None) -> Reading | None:
     """The sum of `1 h 30 min`, `5 ft 3 in`, `1 m 20 cm`: each unit smaller than the one before, and each number less than what fills it."""
     if expected is not None and expected.dimension == UNITS["s"].dimension:
-        normalized = CLOCK.sub(_of_a_clock, MINUTES.sub(r"\1 min \2 s", normalized))
+        normalized = clock_in_units(normalized)
     found = SEVERAL.fullmatch(normalized)
     pieces = PIECE.findall(normalized) if found else []
     if len(pieces) < 2:
@@ -373,12 +362,6 @@ def _in_several_units(text: str, normalized: str, expected: Unit | None) -> Read
     as_read = ("-" if sign < 0 else "") + " ".join(f"{number} {unit}" for number, unit in pieces)
     read = _reading(text, Written(value, figures, figures), first, expected)
     return replace(read, as_read=as_read) if isinstance(read, Reading) else None
-
-
-def _of_a_clock(found: re.Match[str]) -> str:
-    """`4:06 min` as `4 min 06 s`."""
-    units = ("min", "s") if found["unit"].startswith("min") else ("h", "min")
-    return f"{found['large']} {units[0]} {found['small']} {units[1]}"
 
 
 def _is_small(spread: str, found: Reading) -> bool:

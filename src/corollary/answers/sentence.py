@@ -1,4 +1,4 @@
-"""Quantities in sentences: `there are 1.77 kg of nitrogen in the bottle`, `the near one is at 0.76 m and the far one at 1.24 m`."""
+"""Quantities in sentences, `there are 1.77 kg of nitrogen in the bottle`, with the words that may change them."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ MOST_TOKENS = 4
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class QuantitySentence:
     """The quantities of a sentence, and the words before each and behind the last; `turned`: a word among them may be a sign."""
 
     quantities: tuple[str, ...]
@@ -33,7 +33,7 @@ class Told:
     turned: bool
 
 
-def told(text: str, count: int, question: Question) -> Told | None:
+def sentence_in(text: str, count: int, question: Question) -> QuantitySentence | None:
     """The sentence that a text is, with so many quantities; None where it has other signs, or a word that changes a quantity."""
     if len(text) > LONGEST or not WORD.search(text):
         return None
@@ -64,10 +64,10 @@ def told(text: str, count: int, question: Question) -> Told | None:
     ):
         return None
     turned = bool(SIGNS.keys() & set(words) or OF_A_SIGN.search(between))
-    return Told(tuple(quantities), tuple(pieces), turned)
+    return QuantitySentence(tuple(quantities), tuple(pieces), turned)
 
 
-def by_names(sentence: Told, names: Sequence[str]) -> tuple[str, ...] | None:
+def by_names(sentence: QuantitySentence, names: Sequence[str]) -> tuple[str, ...] | None:
     """The quantities in the order of the names, each named in the words before it, or each behind it; as they stand where none is
     named; None where it is not told which is which."""
     spoken = [name for name in names if name.isalpha()]

@@ -16,7 +16,7 @@ from corollary.answers.left_side import gives, solvable, unknown_letter
 from corollary.answers.numbers import PLACEHOLDERS, from_reading, scalar, turned_away, with_share
 from corollary.answers.quantity import Reading, components_in, read_quantities, read_quantity
 from corollary.answers.question import Question
-from corollary.answers.sentence import by_names, told
+from corollary.answers.sentence import by_names, sentence_in
 from corollary.formula.ast import Expr, Number
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.numerals import decimal_text
@@ -131,7 +131,7 @@ def _in_one_text(text: str, question: Question) -> Read:
             return each
     elif (one := _along_one_axis(text, question)) is not None:
         return one
-    if (several := told(text, count, question)) is not None and not (
+    if (several := sentence_in(text, count, question)) is not None and not (
         several.turned and question.unit.dimension in DIRECTED
     ):
         ordered = by_names(several, question.components)

@@ -9,7 +9,7 @@ from typing import final
 from corollary.answers.answer import Answer, Blank, Letter, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.choice.option_text import folded, normal_form
-from corollary.answers.choice.wording import option_worded
+from corollary.answers.choice.own_words import option_worded
 from corollary.answers.numbers import PLACEHOLDERS, turned_away
 from corollary.answers.question import Question
 from corollary.answers.remark import BECAUSE
@@ -35,6 +35,10 @@ DENIED = re.compile(r"\s*!|.*[\s(\[\"']!(?=[(\[\"']*\w)", re.DOTALL)  # `!A` is 
 
 LABEL = re.compile(
     r"\s*[\[(]?(?P<letter>[A-Za-z])(?:\s*[).:,;=\]–-]+\s*(?=\S)|\s+(?=\())|\s*(?:option|answer)\s+(?P<word>[A-Za-z])\s*[).:,–-]*\s+",
+    re.IGNORECASE,
+)
+DENIED_BEHIND = re.compile(
+    r"\s*(?:or|and|but|not|no|if|oder|und|aber|nicht|eller|og|men|ikke|is (?:not|wrong|false))\b",
     re.IGNORECASE,
 )
 LABEL_BEHIND = re.compile(r"\s*[\[(](?P<letter>[A-Za-z])[\])]\s*$")
@@ -144,6 +148,8 @@ def _by_its_words(text: str, question: Question) -> str | None:
         meant = _copied(words, options) or (worded.letter if worded.sure else "")
         if meant not in ("", letter):
             return None
+        if label["letter"] and label["letter"].isupper() and _explains(words, options):
+            return letter
         started = normal_form(words) and folded(options[letter]).startswith(folded(words))
         return letter if started or meant else ""
     if same := _copied(text, options):
@@ -157,6 +163,12 @@ def _by_its_words(text: str, question: Question) -> str | None:
     if normal_form(text) and len(begun) == 1:
         return begun[0]
     return _shortened(text, options)
+
+
+def _explains(words: str, options: Mapping[str, str]) -> bool:
+    """True for an explanation behind a letter, which names no other letter and takes nothing back."""
+    other = re.search(rf"\b[{''.join(options).upper()}]\b", words)
+    return other is None and len(words.split()) > 2 and DENIED_BEHIND.match(words) is None
 
 
 def _shortened(text: str, options: Mapping[str, str]) -> str:

@@ -19,7 +19,7 @@ _ = catalogue(__name__)
 
 LONGEST = 200
 FROM_TO = re.compile(
-    r"\s*(?:(?:[^\W\d]\w*\s+(?:(?:is|lies|ist|liegt|er|ligger)\s+)?)?(?:from|between|von|zwischen|fra|mellom)\s+)?(?P<low>\S.*?)\s+(?:to|and|bis|und|til|og|\.\.\.?|…)\s+(?P<high>\S.*?)\s*",
+    r"\s*(?!(?:not|no|never|neither|outside|except|but|nicht|außerhalb|ikke|utenfor)\b)(?:(?:[^\W\d]\w*\s+(?:(?:is|lies|ist|liegt|er|ligger)\s+)?)?(?:from|between|von|zwischen|fra|mellom)\s+)?(?P<low>\S.*?)\s+(?:to|and|bis|und|til|og|\.\.\.?|…)\s+(?P<high>\S.*?)\s*",
     re.IGNORECASE,
 )
 NUMBER_AND_UNIT = (

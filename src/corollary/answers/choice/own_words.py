@@ -13,7 +13,7 @@ MOST_WORDS = 24
 # Words that mean nothing by themselves; of `as large as` and `four times as high` the number is what counts.
 FILLING: str = (
     "the a an of to in on at for from by with its it is it's are was be been being as that this those these they them he she his her i we you my think "
-    "answer option then so than one ones will would should must can has have had do does did there here which what just only really because since "
+    "answer option then so one ones will would should must can has have had do does did there here which what when just only really because since "
     "make makes making made get gets becomes become large high big great much heavy strong far many also now still must"
 )
 FILLERS = frozenset(FILLING.split())
@@ -52,7 +52,7 @@ PHRASES = (
         re.compile(r"\b(?:do(?:es)?|did) ?(?:not|n't) (?:change|matter)\b|\bno (?:change|difference)\b"),
         "same",
     ),
-    (re.compile(r"'s\b"), ""),
+    (re.compile(r"'(?:s|re)\b"), ""),
     (re.compile(r"\b(?:more slowly|less fast)\b"), "slower"),
     (re.compile(r"\bmore quickly\b"), "faster"),
     (re.compile(r"\b(?:one|a|an) (?=half|quarter|third|eighth|fourth)"), ""),
@@ -63,6 +63,10 @@ PHRASES = (
 # Words about a motion or a state that add nothing where the options do not have them.
 ADDITIONS: str = "away mov move stay remain keep go goe act direction point take tak choose pick sea both some always ball wire body"
 ADDED = frozenset(ADDITIONS.split())
+IN_OPTIONS: str = "from to up on at in by with towards into out off down over under between before after"
+PREPOSITIONS = frozenset(IN_OPTIONS.split())
+NUMBER_ALONE = re.compile(rf"\W*(?:[0-9.,]+|{'|'.join(NUMBERS)})\W*", re.IGNORECASE)  # may count the options
+BECAUSE_FIRST = re.compile(rf"\W*(?:{BECAUSE})\b", re.IGNORECASE)
 CLAUSE_END = re.compile(r"\s*(?:[,;:(]|\.\s|\s[–-]\s)\s*")
 ENDINGS = ("ing", "ed", "es", "s", "ly")
 REASON = re.compile(rf"(?<=[^\W_])[.)]?[\s,;:–-]+(?:{BECAUSE}|due)\b.*$", re.IGNORECASE | re.DOTALL)
@@ -85,8 +89,14 @@ def option_worded(text: str, options: Mapping[str, str], question: str) -> Worde
     typed = _content(REASON.sub("", text))
     whole = _worded(typed, known, question)
     if not whole.letter:  # `the elastic ball`, where it is asked which ball
-        whole = _worded([word for word in typed if word not in _content(question)], known, question)
+        rest = _worded([word for word in typed if word not in _content(question)], known, question)
+        whole = Worded("" if _numbers(typed) else rest.letter, sure=False)
     first = CLAUSE_END.split(text, maxsplit=1)[0]
+    alone = _exactly(_content(first), known) if first != text else ""
+    if alone and not _begins_against(text[len(first) :]):
+        return Worded(alone, sure=True)  # `just as long, the time does not depend on v`
+    if whole.letter and _with_other_prepositions(text, options, whole.letter):
+        return Worded(whole.letter, sure=False)  # `from a largest speed on` for *up to a largest speed*
     if (
         whole.letter
         and not whole.sure
@@ -94,7 +104,29 @@ def option_worded(text: str, options: Mapping[str, str], question: str) -> Worde
         and _worded(_content(first), known, question) == Worded(whole.letter, sure=True)
     ):
         return Worded(whole.letter, sure=True)  # `it stays the same, the mass cancels`
+    if whole.letter and (NUMBER_ALONE.fullmatch(text) or BECAUSE_FIRST.match(text)):
+        return Worded(whole.letter, sure=False)
     return whole
+
+
+def _exactly(typed: list[str], known: Mapping[str, list[str]]) -> str:
+    """The letter of the one option of just these words."""
+    found = [letter for letter, words in known.items() if typed and typed == words]
+    return found[0] if len(found) == 1 else ""
+
+
+def _begins_against(rest: str) -> bool:
+    """True if what follows a clause takes it back, or names another possibility."""
+    return bool(TURNED & set(re.findall(r"[^\W\d_]+", rest.lower())[:2]))
+
+
+def _with_other_prepositions(text: str, options: Mapping[str, str], letter: str) -> bool:
+    """True if a text has a preposition of another option that the one it means does not have."""
+    typed, own = (PREPOSITIONS & set(re.findall(r"[a-z]+", each.lower())) for each in (text, options[letter]))
+    others = set[str]().union(
+        *(re.findall(r"[a-z]+", each.lower()) for key, each in options.items() if key != letter)
+    )
+    return bool((typed - own) & others)
 
 
 def _worded(typed: list[str], known: Mapping[str, list[str]], question: str) -> Worded:
@@ -120,21 +152,22 @@ def _worded(typed: list[str], known: Mapping[str, list[str]], question: str) -> 
         return Worded("", sure=False)
     if "and" in option and "and" not in typed and not set(met) & set(option[option.index("and") :]):
         return Worded("", sure=False)  # one of two
-    in_order = [word for word in option if word in met] == list(dict.fromkeys(met)) or len(set(met)) < 3
+    in_order = [word for word in dict.fromkeys(option) if word in met] == list(dict.fromkeys(met))
+    in_order = in_order or (len(set(met)) < 3 and "than" not in option)
     repeated = set(_content(question))
     return Worded(letter, sure=in_order and all(word in everywhere | repeated | ADDED for word in typed))
 
 
 def _content(text: str) -> list[str]:
     """The words of a text that mean something: small, without endings, numbers as digits, one word for its synonyms."""
-    plain = text.lower().replace("’", "'")
+    lowered = text.lower().replace("’", "'")
     for pattern, instead in PHRASES:
-        plain = pattern.sub(instead, plain)
-    found: list[str] = re.findall(r"[0-9]+(?:[.,/][0-9]+)?|[^\W\d_]+(?:'t)?", plain)
+        lowered = pattern.sub(instead, lowered)
+    found: list[str] = re.findall(r"[0-9]+(?:[.,/][0-9]+)?|[^\W\d_]+(?:'t)?", lowered)
     words = [word for word in found if word not in FILLERS]
     spelt = " ".join(SAME_AS.get(word, word) for word in words)
-    plainer = ("not" if word.endswith("n't") else str(NUMBERS.get(word, word)) for word in spelt.split())
-    return [_stem(word) for word in plainer if word != "times"]
+    spelt_out = ("not" if word.endswith("n't") else str(NUMBERS.get(word, word)) for word in spelt.split())
+    return [_stem(word) for word in spelt_out if word != "times"]
 
 
 def _numbers(words: list[str]) -> set[str]:
