@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from types import FrameType
 
-from corollary.course.demo.player import right_sources
+from corollary.course.demo.players import right_sources
 from corollary.course.generate import generate
 from corollary.course.grade import grade_set
 from corollary.derive.solve import solve

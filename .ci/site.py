@@ -30,7 +30,7 @@ from corollary.problem.problem import Problem
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
 from corollary.render.page import drawing_address
-from corollary.render.pyodide import NoNpm, NotFetched, unpacked
+from corollary.render.practice_site import NoNpm, NotFetched, unpacked
 from corollary.render.targets.html import write_exercise
 
 TOP = Path(__file__).parents[1]

@@ -17,8 +17,7 @@ from typing import Any
 from corollary.derive.solution import Solution
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
-from corollary.verify.certificate.kernel_check import LEMMA, checker, unproven
-from corollary.verify.certificate.script import CertifiedStep, certificate, script
+from corollary.verify.certificate.script import LEMMA, CertifiedStep, certificate, checker, script, unproven
 
 RESULT = Path(__file__).with_name("results") / "certificates.md"
 KNOWN = RESULT.with_suffix(".json")

@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from corollary.course.demo.player import Hand, right_sources
+from corollary.course.demo.players import Hand, right_sources
 from corollary.course.demo.stage import hand_in
 from corollary.course.generate import generate
 from corollary.grading.solutions import Solutions

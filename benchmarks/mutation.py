@@ -28,8 +28,7 @@ from corollary.problem.problem import Problem
 from corollary.problem.variant import chapter
 from corollary.verify.checked import Checked, Tally
 from corollary.verify.mutation import score as scoring
-from corollary.verify.side_by_side import verify_each
-from corollary.verify.unchanged import verify_changed
+from corollary.verify.side_by_side import verify_changed, verify_each
 from corollary.verify.verify import verify
 from corollary.verify.walk import check_scenes, walk
 

@@ -42,7 +42,7 @@ from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.problem.variant import Variant, chapter, chosen
 from corollary.render.practice_site import reading
-from corollary.verify.samples import samples
+from corollary.verify.expected_answers import samples
 
 MECHANICS = Path(__file__).parents[1] / "examples/banks/corollary-mechanics/src/corollary_mechanics"
 PLAYER = """

@@ -13,21 +13,20 @@ import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.beside import LazyModule
-from corollary.derive.cases import Branch, Case, Cases, branches
-from corollary.derive.derivation import Entry
-from corollary.derive.letters import function as function
-from corollary.derive.letters import unknown as unknown
-from corollary.derive.letters import unknowns as unknowns
-from corollary.derive.letters import variable as variable
-from corollary.derive.letters import vector as vector
+from corollary.derive.derivation import Branch, Case, Cases, Entry, branches
 from corollary.derive.simulation import NONE, Seen, Simulation
-from corollary.derive.stated_claims import along as along
-from corollary.derive.stated_claims import always as always
-from corollary.derive.stated_claims import at as at
-from corollary.derive.stated_claims import force as force
-from corollary.derive.stated_claims import forces as forces
-from corollary.derive.stated_claims import frame_of_word, line_of_word
-from corollary.derive.stated_claims import limit as limit
+from corollary.derive.stated_words import along as along
+from corollary.derive.stated_words import always as always
+from corollary.derive.stated_words import at as at
+from corollary.derive.stated_words import force as force
+from corollary.derive.stated_words import forces as forces
+from corollary.derive.stated_words import frame_of_word, line_of_word
+from corollary.derive.stated_words import function as function
+from corollary.derive.stated_words import limit as limit
+from corollary.derive.stated_words import unknown as unknown
+from corollary.derive.stated_words import unknowns as unknowns
+from corollary.derive.stated_words import variable as variable
+from corollary.derive.stated_words import vector as vector
 from corollary.derive.statements import (
     Choice,
     Code,

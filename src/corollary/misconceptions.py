@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, TypeAlias
 
-from corollary.derive.stated_claims import line_of_word
+from corollary.derive.stated_words import line_of_word
 from corollary.derive.statements import Exchange, Mistake
 from corollary.formula.ast import (
     Call,

@@ -19,7 +19,7 @@ from corollary.cli.practise import answered
 from corollary.practice.practice import practice
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
-from corollary.render.pyodide import NEEDED
+from corollary.render.practice_site import NEEDED
 
 SET = """\
 ---

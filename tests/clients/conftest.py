@@ -12,8 +12,7 @@ from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank, codes, home
 from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import chapter
-from corollary.render.answer_table import answer_table
-from corollary.render.lms_item import ChoiceAsked, LmsItem, NumbersAsked, item
+from corollary.render.lms_item import ChoiceAsked, LmsItem, NumbersAsked, answer_table, item
 
 RECORDED = Path(__file__).parent / "recorded"
 

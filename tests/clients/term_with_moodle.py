@@ -16,7 +16,7 @@ from typing import Any, Protocol
 
 from tests import forked
 
-from corollary.course.demo.player import right_sources
+from corollary.course.demo.players import right_sources
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import filled_in
 from corollary.notebook.worksheet import worksheet

@@ -12,7 +12,7 @@ from corollary.grading.key import Key
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import Exercise, worksheet
-from corollary.practice.posed import Posed
+from corollary.practice.practice import Posed
 from corollary.problem.problem_set import ProblemSet, Scheme
 from corollary.problem.roster import Student
 from corollary.render.lms_item import item

@@ -13,9 +13,9 @@ from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet, Scheme
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
-from corollary.render.paper.document import pdf
 from corollary.render.paper.print_run import PrintRun
 from corollary.render.paper.sheet import PaperSheet, typst_sheet
+from corollary.render.paper.typst import pdf
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples" / "banks").glob("*/src/*/problems"))
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
-from corollary.course.demo.player import right_sources
+from corollary.course.demo.players import right_sources
 from corollary.course.generate import Generated, generate
 from corollary.course.grade import Outcome, grade_set
 from corollary.grading.solutions import Solutions

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from corollary.course.demo.player import right_sources
+from corollary.course.demo.players import right_sources
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import GradingContext, Submission
 from corollary.notebook.notebook import filled_in

@@ -10,8 +10,7 @@ import pytest
 
 from corollary import cluster
 from corollary.cluster import NoCluster
-from corollary.course.cluster_marking import Sent, mark_there, on_cluster
-from corollary.course.workers import in_turn
+from corollary.course.workers import Sent, in_turn, mark_there, on_cluster
 from corollary.grading.submission import state_of
 
 from .small_class import POINTS, handed_in, order

@@ -9,8 +9,7 @@ from pathlib import Path
 import pytest
 from tests import forked
 
-from corollary.course.export import sheets_of_course
-from corollary.course.marks_export import marks_table
+from corollary.course.export import marks_table, sheets_of_course
 from corollary.grading.solutions import Solutions
 from corollary.problem.roster import Student
 from corollary.records.files import students

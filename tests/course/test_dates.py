@@ -13,8 +13,8 @@ from nbgrader.api import Gradebook
 
 from corollary.atomic import write_whole
 from corollary.cli.commands import app
+from corollary.course.export import marks_table
 from corollary.course.grade import Outcome, grade_set
-from corollary.course.marks_export import marks_table
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.records.deadlines import Extension, write_extension

@@ -13,7 +13,7 @@ import pytest
 from nbgrader.api import Gradebook
 from tests import forked
 
-from corollary.course.feedback_files import feedback_files
+from corollary.course.export import feedback_files
 from corollary.course.lms_places import NoPlaces
 from corollary.records.files import open_course
 from corollary.records.origin import set_of

@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 from tests import forked
 
-from corollary.course.demo.player import right_sources
+from corollary.course.demo.players import right_sources
 from corollary.course.generate import generate
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import filled_in

@@ -13,8 +13,8 @@ from typing import Any
 import pytest
 
 from corollary.answers.verdict import Unmarked
+from corollary.course import grade, workers
 from corollary.course import grade as grading
-from corollary.course import proposed_marks, workers
 from corollary.course.grade import grade_set
 from corollary.course.up_to_date import up_to_date
 from corollary.course.workers import in_turn, side_by_side
@@ -126,7 +126,7 @@ def test_a_failure_over_one_answer_leaves_it_to_a_person_and_is_logged(course: P
 
 
 def test_a_failure_while_reading_or_writing_one_students_work(course: Path, monkeypatch) -> None:
-    write, read = proposed_marks.write_graded, grading.read_submission
+    write, read = grade.write_graded, grading.read_submission
 
     def unwritable(where: Any, problem_set: Any, several: Sequence[GradedSubmission], *about: Any) -> None:
         if any(one.submission.student.id == "ben" and one.answers and one.marked.points for one in several):
@@ -138,7 +138,7 @@ def test_a_failure_while_reading_or_writing_one_students_work(course: Path, monk
             raise RecursionError("too deep")
         return read(where, problem_set, student, *about)
 
-    monkeypatch.setattr(proposed_marks, "write_graded", unwritable)
+    monkeypatch.setattr(grade, "write_graded", unwritable)
     monkeypatch.setattr(grading, "read_submission", unreadable)
     done = graded_here(course)
     assert done.records["ada"].points == 5.0

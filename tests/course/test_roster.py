@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.course.roster_changes import OneFolder, check_folders, roster_change
+from corollary.course.renew import OneFolder, check_folders, roster_change
 from corollary.problem.roster import Student
 
 ADA, BEN = Student("ada", "Ada", "Lovelace", "ada@example.org"), Student("ben", "Ben", "Bool")

@@ -8,7 +8,7 @@ from textwrap import dedent, indent
 
 import pytest
 
-from corollary.figure.primitive import PRIMITIVES, SIDES
+from corollary.figure.drawing_sheet import PRIMITIVES, SIDES
 from corollary.problem.figure import drawn
 from corollary.problem.reader import read_problem
 from corollary.problem.variant import chapter

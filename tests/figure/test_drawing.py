@@ -9,10 +9,8 @@ from xml.etree.ElementTree import Element, fromstring
 import pytest
 
 from corollary.figure.drawing import WIDTH, FigurePanel, describe, draw, unmentioned
-from corollary.figure.drawing_sheet import COLOURS
-from corollary.figure.item import FigureItem, NotDrawable
+from corollary.figure.drawing_sheet import COLOURS, PRIMITIVES, FigureItem, NotDrawable
 from corollary.figure.lettering import lettered, spoken
-from corollary.figure.primitive import PRIMITIVES
 from corollary.figure.svg import safe_svg
 
 NB = "\N{NO-BREAK SPACE}"

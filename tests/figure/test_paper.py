@@ -6,7 +6,7 @@ from xml.etree.ElementTree import fromstring
 
 import pytest
 
-from corollary.figure.paper import on_paper
+from corollary.figure.svg import on_paper
 
 
 def test_the_sheet_lies_behind_all_of_the_drawing_and_a_margin():

@@ -17,7 +17,7 @@ from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
 from corollary.grading.points import grade
 from corollary.grading.solutions import Solutions
-from corollary.practice.posed import Posed
+from corollary.practice.practice import Posed
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.sampling import draws
 from corollary.problem.variant import chapter, chosen

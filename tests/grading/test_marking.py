@@ -13,7 +13,7 @@ from corollary.answers.quantity import read_quantity
 from corollary.answers.question import Question
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Right, Unmarked, Unread, Verdict
-from corollary.course.demo.player import right_sources
+from corollary.course.demo.players import right_sources
 from corollary.formula.errors import ParseError
 from corollary.grading.marking import late_share, mark
 from corollary.grading.part_grades import Marked

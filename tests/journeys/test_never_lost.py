@@ -18,7 +18,7 @@ import pytest
 pytest.importorskip("nbgrader")
 
 from corollary.atomic import write_whole
-from corollary.course.demo.player import Hand, right_sources
+from corollary.course.demo.players import Hand, right_sources
 from corollary.course.demo.stage import hand_in
 from corollary.course.generate import generate
 from corollary.grading.solutions import Solutions

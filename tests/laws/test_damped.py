@@ -7,7 +7,7 @@ import math
 import pytest
 import sympy
 
-from corollary.laws.damped import damped_frequency, damped_rebound, damping_rate
+from corollary.laws.collision import damped_frequency, damped_rebound, damping_rate
 from corollary.laws.law import sides
 
 BETA, OMEGA, R = sympy.symbols("beta omega r", real=True)

@@ -17,7 +17,7 @@ import pytest
 from tests import forked
 
 from corollary.cli.main import main
-from corollary.course.demo.player import right_sources
+from corollary.course.demo.players import right_sources
 from corollary.course.generate import generate
 from corollary.grading.solutions import Solutions
 from corollary.nbgrader.gradebook import programs_on_path

@@ -16,8 +16,7 @@ from tests import forked
 pytest.importorskip("nbgrader")
 
 from corollary.atomic import write_whole
-from corollary.course.demo.player import Hand
-from corollary.course.demo.players import PLAYERS
+from corollary.course.demo.players import PLAYERS, Hand
 from corollary.course.demo.stage import hand_in
 from corollary.course.generate import generate
 from corollary.course.grade import grade_set

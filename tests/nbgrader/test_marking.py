@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from corollary.course.one_page_server import OnePageServer
+from corollary.cli.local_page import OnePageServer
 from corollary.problem.bank import chapter_bank
 from corollary.records.files import Course
 

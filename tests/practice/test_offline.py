@@ -21,7 +21,7 @@ from corollary.practice.offline import Offline
 from corollary.problem.bank import Bank, chapter_bank, open_bank
 from corollary.problem.variant import chapter
 from corollary.render.practice_site import reading
-from corollary.verify.samples import samples
+from corollary.verify.expected_answers import samples
 
 MANUAL = Path(__file__).parents[2] / "docs" / "author.md"
 BLOCK = r"((?:(?!^```).)*)"

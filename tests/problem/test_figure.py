@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from corollary.figure.primitive import PRIMITIVES
+from corollary.figure.drawing_sheet import PRIMITIVES
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.figure import BadFigure, drawn, in_letters
 from corollary.problem.reader import read_problem
@@ -150,6 +150,6 @@ def test_letters_may_be_called_otherwise_in_formulas():
 
 
 def test_there_is_a_word_for_everything_that_is_taken():
-    from corollary.figure.primitive import WORDS
+    from corollary.figure.drawing_sheet import WORDS
 
     assert {word for each in PRIMITIVES.values() for word in each.words} <= WORDS.keys()

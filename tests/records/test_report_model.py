@@ -17,7 +17,7 @@ from corollary.answers.verdict import Right
 from corollary.grading.part_grades import Grade
 from corollary.records.marks import HandedIn, Row, handed_in, rows
 from corollary.records.report_model import report, report_record
-from corollary.render.report_table import terminal
+from corollary.render.report_page import terminal
 from corollary.render.wording import LOOKS
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))

@@ -7,7 +7,7 @@ from xml.etree.ElementTree import fromstring
 
 import pytest
 
-from corollary.render.displayed import displayed
+from corollary.render.mathml import displayed
 
 
 def pieces(latex: str) -> list[str]:

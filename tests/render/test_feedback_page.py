@@ -12,7 +12,7 @@ import pytest
 from corollary.records.manual_marks import ManualMark
 from corollary.records.marks import record_of, with_manual
 from corollary.render import feedback_page as page_of
-from corollary.render.feedback_facts import packed, page_facts, unpacked
+from corollary.render.feedback_page import packed, page_facts, unpacked
 from corollary.render.wording import LOOKS
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from corollary.render.mathml import mathml
-from corollary.render.paper.typst_formula import by_shape
+from corollary.render.paper.typst import by_shape
 from corollary.render.terminal_text import formula_text
 
 FORMULAS = [

@@ -16,8 +16,7 @@ from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
 from corollary.records.marks import record_of
 from corollary.render.exports import target
-from corollary.render.feedback_facts import page_facts
-from corollary.render.feedback_page import feedback_page
+from corollary.render.feedback_page import feedback_page, page_facts
 from corollary.render.report_page import report_page
 
 pytestmark = pytest.mark.browser

@@ -12,8 +12,16 @@ from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank, home
 from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import at, chapter
-from corollary.render.answer_table import answer_table
-from corollary.render.lms_item import ChoiceAsked, Credit, LmsItem, NotAsked, NumbersAsked, ProseAsked, item
+from corollary.render.lms_item import (
+    ChoiceAsked,
+    Credit,
+    LmsItem,
+    NotAsked,
+    NumbersAsked,
+    ProseAsked,
+    answer_table,
+    item,
+)
 from corollary.render.targets.moodle import typed_units
 from corollary.units.unit import read_unit, unit
 

@@ -20,11 +20,9 @@ from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import at, chapter
 from corollary.render.exports import target
-from corollary.render.paper.document import CannotTypeset, pdf
 from corollary.render.paper.print_run import PrintRun
 from corollary.render.paper.sheet import PaperSheet, code_svg, sheet_address, typst_sheet
-from corollary.render.paper.typst_formula import typst_formula
-from corollary.render.paper.typst_text import typst_text, words_of
+from corollary.render.paper.typst import CannotTypeset, pdf, typst_formula, typst_text, words_of
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
 ADA = Student("ada", "Ada", "Lövelace-Ødegård")

@@ -13,8 +13,15 @@ from corollary.cli.commands import app
 from corollary.practice.offline import Offline
 from corollary.practice.practice import practice
 from corollary.problem.bank import chapter_bank
-from corollary.render.practice_site import exercise_file, page_file, reading
-from corollary.render.pyodide import NEEDED, NoPyodide, scripts, with_room
+from corollary.render.practice_site import (
+    NEEDED,
+    NoPyodide,
+    exercise_file,
+    page_file,
+    reading,
+    scripts,
+    with_room,
+)
 
 ANSWERS = [
     "8.6 kg m/s",

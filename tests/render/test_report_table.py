@@ -7,7 +7,7 @@ from rich.console import Console
 from corollary.records.collusion import Shared
 from corollary.records.marks import HandedIn
 from corollary.records.report_model import Report, report, report_record
-from corollary.render.report_table import terminal
+from corollary.render.report_page import terminal
 
 
 def said(report: Report, *unmarked: str) -> str:

@@ -17,8 +17,15 @@ from corollary.formula.syntax import author_formula
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.verify.certificate.coq import coq_name
-from corollary.verify.certificate.kernel_check import AXIOMS, accepted, axioms, unproven
-from corollary.verify.certificate.script import OPENING, certificate, script
+from corollary.verify.certificate.script import (
+    AXIOMS,
+    OPENING,
+    accepted,
+    axioms,
+    certificate,
+    script,
+    unproven,
+)
 
 BANK = chapter_bank()
 SOLUTIONS = Solutions(BANK)

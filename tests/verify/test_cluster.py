@@ -14,8 +14,7 @@ from corollary.cli.commands import app
 from corollary.cluster import NoCluster
 from corollary.problem.bank import Bank, chapter_bank, find
 from corollary.verify.checked import Checked
-from corollary.verify.cluster_verifying import on_cluster, verify_there
-from corollary.verify.side_by_side import verify_each
+from corollary.verify.side_by_side import on_cluster, verify_each, verify_there
 
 distributed = pytest.importorskip("distributed", reason="needs Dask: pip install '.[dask]'")
 BANK = chapter_bank()

@@ -10,8 +10,7 @@ import pytest
 from corollary.derive.solve import solve
 from corollary.formula.syntax import author_formula
 from corollary.problem.bank import Bank, find
-from corollary.verify.certificate.kernel_check import unproven
-from corollary.verify.certificate.script import certificate
+from corollary.verify.certificate.script import certificate, unproven
 
 PROBLEM = """\
 ---

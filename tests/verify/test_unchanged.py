@@ -6,7 +6,7 @@ import pytest
 from tests.verify.conftest import GOOD, OPENING, PROBLEM
 
 from corollary.problem.bank import Bank, find
-from corollary.verify import side_by_side, unchanged
+from corollary.verify import side_by_side
 from corollary.verify.checked import Checked
 
 
@@ -38,7 +38,7 @@ def times(monkeypatch) -> list[str]:
 
 
 def found(bank: Bank, count: int = 5, *, anew: bool = False) -> Checked:
-    with unchanged.verify_changed([(bank, find(bank, "X1.1"))], count, anew=anew) as checked:
+    with side_by_side.verify_changed([(bank, find(bank, "X1.1"))], count, anew=anew) as checked:
         (only,) = checked
     return only
 

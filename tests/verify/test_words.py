@@ -10,8 +10,7 @@ from corollary.problem.diagnostic import Malformed
 from corollary.problem.reader import read_problem
 from corollary.verify.checked import Tally
 from corollary.verify.words.asked_sign import asks_for_magnitude
-from corollary.verify.words.check_words import check_words
-from corollary.verify.words.unread import unread, unread_of_all
+from corollary.verify.words.check_words import check_words, unread, unread_of_all
 
 HEAD = """\
 ---

@@ -8,8 +8,7 @@ from fractions import Fraction
 
 from corollary.formula.errors import ParseError, ambiguous
 from corollary.messages import catalogue
-from corollary.units.run_together import WORD, in_capitals, other_cases
-from corollary.units.unit import ONE, Dimension, Unit, called, read_unit, show
+from corollary.units.unit import ONE, WORD, Dimension, Unit, called, in_capitals, other_cases, read_unit, show
 from corollary.units.unit_table import UNITS, UNSUGGESTED
 
 _ = catalogue(__name__)

@@ -12,10 +12,16 @@ from corollary.cli.terminal import console
 from corollary.derive.solution import Solution
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import home
-from corollary.verify.certificate.kernel_check import NoChecker, checker, unproven
 from corollary.verify.certificate.lemmas import EMPTY, Lemma
 from corollary.verify.certificate.on_record import keep
-from corollary.verify.certificate.script import CertifiedStep, certificate, script
+from corollary.verify.certificate.script import (
+    CertifiedStep,
+    NoChecker,
+    certificate,
+    checker,
+    script,
+    unproven,
+)
 from corollary.verify.obligations.claims import laws_of
 from corollary.verify.obligations.settle import settled
 

@@ -66,7 +66,7 @@ def _aloud(progress: Callable[[str], None]) -> Callable[[str], None]:
 def _show(performed: Demonstration, folder: Path, seconds: float) -> None:
     from rich.table import Table
 
-    from corollary.render.report_table import terminal
+    from corollary.render.report_page import terminal
 
     out = console()
     out.print(terminal(performed.outcome.report))

@@ -17,16 +17,19 @@ from corollary.cli.export_options import (
 )
 from corollary.cli.terminal import bar
 from corollary.course.export import (
+    Template,
     chapters_sheet,
+    feedback_files,
+    form_owners,
+    marks_file,
+    marks_table,
     owners,
+    print_files,
     sheet_files,
     sheets_for,
     sheets_of_course,
     write_files,
 )
-from corollary.course.feedback_files import feedback_files
-from corollary.course.marks_export import Template, marks_file, marks_table
-from corollary.course.print_sheets import form_owners, print_files
 from corollary.grading.solutions import Solutions
 from corollary.messages import few
 from corollary.notebook.worksheet import SheetPlan

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TypedDict
 
 from corollary.cli.ending import refuse
-from corollary.course.marks_export import By
+from corollary.course.export import By
 from corollary.render.exports import Target
 
 USUAL_FOLDER = Path("export")

@@ -16,8 +16,15 @@ from corollary.grading.assign import NoVariant
 from corollary.practice.practice import Practice, practice
 from corollary.problem.bank import Bank, codes, open_bank
 from corollary.problem.problem_set import set_names
-from corollary.render.practice_site import exercise_file, page_file, python_files, snapshot_file
-from corollary.render.pyodide import NoPyodide, NoSnapshot, fetched
+from corollary.render.practice_site import (
+    NoPyodide,
+    NoSnapshot,
+    exercise_file,
+    fetched,
+    page_file,
+    python_files,
+    snapshot_file,
+)
 from corollary.user_cache import folder
 
 USUAL_TURNS = 5

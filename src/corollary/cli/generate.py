@@ -9,8 +9,7 @@ from corollary.cli.ending import FAILS, HOLDS, agreed, answer, refuse, say
 from corollary.cli.terminal import bar, console
 from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, warn_of_dates
 from corollary.course.generate import Generated, generate
-from corollary.course.renew import Renewals, renewals
-from corollary.course.roster_changes import RosterChange, roster_change, students_before
+from corollary.course.renew import Renewals, RosterChange, renewals, roster_change, students_before
 from corollary.extras import installing
 from corollary.grading.solutions import Solutions
 from corollary.messages import spoken

@@ -12,8 +12,8 @@ import msgspec
 from corollary.cli.ending import FAILS, HOLDS, agreed, answer, say
 from corollary.cli.terminal import console, countdown
 from corollary.cli.told_dates import reveal_now, warn_of_grading_early, warn_of_printed_dates
-from corollary.course.cluster_marking import on_cluster
 from corollary.course.grade import Outcome, grade_set
+from corollary.course.workers import on_cluster
 from corollary.grading.solutions import Solutions
 from corollary.messages import visible
 from corollary.records.files import one_writer, open_course
@@ -194,7 +194,7 @@ def _part(part: PartChange) -> str:
 def show(done: Outcome, dry_run: bool) -> None:
     """The report on the terminal, and where to look."""
 
-    from corollary.render.report_table import terminal
+    from corollary.render.report_page import terminal
 
     out = console()
     recorded = {one.student for one in done.report.handed_in}

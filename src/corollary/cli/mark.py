@@ -11,8 +11,7 @@ from typing import Any
 import msgspec
 
 from corollary.cli.ending import HOLDS, answer, refuse
-from corollary.cli.local_page import serve
-from corollary.course.one_page_server import OnePageServer
+from corollary.cli.local_page import OnePageServer, serve
 from corollary.course.up_to_date import up_to_date
 from corollary.grading.near_misses import accepted_text
 from corollary.messages import visible

@@ -10,14 +10,12 @@ from typing import Any, cast
 
 from corollary.answers.verdict import Wrong
 from corollary.cli.ending import HOLDS, refuse, say
-from corollary.cli.local_page import serve
+from corollary.cli.local_page import OnePageServer, serve
 from corollary.cli.open_sets import course_in, not_to_be_practised, say_broken, with_sets
-from corollary.course.one_page_server import OnePageServer
 from corollary.derive.load import NotDerivable
 from corollary.formula.ball import Undefined
 from corollary.practice.offline import known
-from corollary.practice.posed import Answer, Posed
-from corollary.practice.practice import Practice, practice
+from corollary.practice.practice import Answer, Posed, Practice, practice
 from corollary.problem.bank import open_bank
 from corollary.render.animation import animation
 from corollary.render.markdown import html

@@ -8,8 +8,7 @@ from typing import Any
 from markupsafe import Markup
 
 from corollary.cli.ending import HOLDS, expected, unforeseen
-from corollary.cli.local_page import edition, serve
-from corollary.course.one_page_server import OnePageServer
+from corollary.cli.local_page import OnePageServer, edition, serve
 from corollary.derive.load import NotDerivable
 from corollary.figure.svg import NotADrawing
 from corollary.grading.replay import forget_scenes

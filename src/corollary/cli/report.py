@@ -53,7 +53,7 @@ def run(
         from_all = {} if estimates is None else {"statistics": _record(estimates)}
         answer({**report_record(found), **from_all})
     elif output is None:
-        from corollary.render.report_table import terminal
+        from corollary.render.report_page import terminal
 
         console().print(terminal(found))
         if estimates is not None:
@@ -71,8 +71,7 @@ def _record(estimates: SetStatistics) -> dict[str, object]:
 
 def _statistics(course: Course, problem_set: ProblemSet, bank: Bank, report: Report) -> SetStatistics:
     """Brings numpy, and the derivations of the whole set."""
-    from corollary.course.drawn_numbers import drawn_keys, drawn_numbers
-    from corollary.course.wrong_answers import unlisted
+    from corollary.course.wrong_answers import drawn_keys, drawn_numbers, unlisted
     from corollary.grading.solutions import Solutions
     from corollary.records.statistics import set_statistics
 

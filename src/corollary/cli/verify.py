@@ -23,16 +23,14 @@ from corollary.problem.problem import Problem
 from corollary.problem.problem_set import bank_of_set, find_set, set_names
 from corollary.problem.reader import read_problem
 from corollary.verify.checked import Checked
-from corollary.verify.cluster_verifying import on_cluster
 from corollary.verify.expected_answers import unexpected
 from corollary.verify.mutation.score_record import MutationScore
 from corollary.verify.obligations.obligation import REDRAWN, Settled
 from corollary.verify.program_checks import unstarted
 from corollary.verify.sets import CheckedSet, check_set
-from corollary.verify.side_by_side import verify_each
-from corollary.verify.unchanged import verify_changed
+from corollary.verify.side_by_side import on_cluster, verify_changed, verify_each
 from corollary.verify.verify import SLOW, Verification
-from corollary.verify.words.unread import unread_of_all
+from corollary.verify.words.check_words import unread_of_all
 
 PAUSE = 0.1  # s between looks at the files
 

@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from corollary.atomic import write_whole
-from corollary.course.renew import Renewal
-from corollary.course.roster_changes import check_folders
+from corollary.course.renew import Renewal, check_folders
 from corollary.grading.solutions import Solutions
 from corollary.messages import speak, spoken
 from corollary.nbgrader.gradebook import NoNbgrader, need_nbgrader

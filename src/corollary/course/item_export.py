@@ -15,9 +15,8 @@ from corollary.problem.problem_set import Scheme, bank_of_set, find_set, set_nam
 from corollary.problem.variant import Variant, chapter
 from corollary.records.files import Course
 from corollary.records.origin import has_set, set_of
-from corollary.render.answer_table import answer_table
 from corollary.render.exports import CarriedPart, Target
-from corollary.render.lms_item import LmsItem, item
+from corollary.render.lms_item import LmsItem, answer_table, item
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,24 +1,61 @@
-"""Wrong answers of a graded course as numbers again, with what each student's formulas start from."""
+"""Wrong answers of a graded course as numbers again, with the keys of the numbers that each student drew."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Collection, Mapping
 
 from corollary.answers.answer import Numbers
 from corollary.answers.verdict import Mistaken
-from corollary.course.drawn_numbers import DrawnKeys
 from corollary.derive.solution import Solution
+from corollary.formula.ball import Undefined
 from corollary.formula.value import Text
 from corollary.grading.expectations import expected_of
 from corollary.grading.judge import read, values_in
 from corollary.grading.key import Key
+from corollary.grading.number_features import number_features
 from corollary.grading.points import share
+from corollary.grading.solutions import Solutions
 from corollary.problem.part import Part
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assignments import read_assigned
 from corollary.records.files import Course
 from corollary.records.marks import WRONG, PartRecord, Record, Row, read_marks
+from corollary.records.statistics import PartFeatures
 from corollary.records.unlisted import DrawnLetters, SharedRule, shared_rules
+
+DrawnKeys = Mapping[tuple[str, str], Key]
+"""By student and problem; none of numbers dealt by a solution of before which have no answer by today's."""
+
+
+def drawn_keys(
+    course: Course,
+    problem_set: ProblemSet,
+    solutions: Solutions,
+    students: Collection[str],
+    done: Callable[[str], None],
+) -> DrawnKeys:
+    """`done` is told the id of each student. Raises NotACourse, NotSettled and NotDerivable."""
+    found: dict[tuple[str, str], Key] = {}
+    for student, sheet in read_assigned(course, problem_set).items():
+        if student not in students:
+            continue
+        for variant in sheet.variants:
+            try:
+                found[student, variant.problem.code] = solutions.key(variant)
+            except Undefined:
+                continue
+        done(student)
+    return found
+
+
+def drawn_numbers(keys: DrawnKeys) -> PartFeatures:
+    """What the derivations know of the numbers, by student, problem and part."""
+    return {
+        (student, problem, part): features
+        for (student, problem), key in keys.items()
+        for part, features in number_features(key).items()
+    }
+
 
 Marked = Mapping[str, tuple[Row, PartRecord]]
 """What became of each part of one problem."""

@@ -11,9 +11,9 @@ import sympy
 from corollary.answers.ways import DEGREES, of_a_slope
 from corollary.derive.applied import applied
 from corollary.derive.assumptions import Known, vanishes
-from corollary.derive.free_body import Acting, Along, Forces
 from corollary.derive.sampled import identical
 from corollary.derive.solution import SolvedForces
+from corollary.derive.statements import Acting, Along, Forces
 from corollary.formula.ast import Expr, Relation
 from corollary.formula.from_sympy import tree
 from corollary.formula.syntax import author_formula

@@ -17,10 +17,8 @@ from types import ModuleType
 from typing import Any, cast
 
 from corollary.answers.questions import checked
-from corollary.derive.beside import files_beside, importable
-from corollary.derive.cases import Branch
-from corollary.derive.comparison import NAMES, compiled
-from corollary.derive.derivation import Derivation
+from corollary.derive.beside import NAMES, compiled, files_beside, importable
+from corollary.derive.derivation import Branch, Derivation
 from corollary.derive.given_signs import symbol_of
 from corollary.derive.statements import SOLUTION
 from corollary.derive.time_limit import TooLong, keyboard, no_way_out, time_limit

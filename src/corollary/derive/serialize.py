@@ -7,7 +7,7 @@ from dataclasses import fields, is_dataclass
 from fractions import Fraction
 from typing import Any
 
-from corollary.derive import free_body, solution, statements
+from corollary.derive import solution, statements
 from corollary.formula import ast
 from corollary.problem import given, part
 from corollary.units import dimension
@@ -15,7 +15,7 @@ from corollary.units.unit import Unit, unit
 
 TYPES: dict[str, type] = {
     each.__name__: each
-    for room in (ast, dimension, given, part, solution, statements, free_body)
+    for room in (ast, dimension, given, part, solution, statements)
     for each in vars(room).values()
     if isinstance(each, type) and is_dataclass(each) and each.__module__ == room.__name__
 }

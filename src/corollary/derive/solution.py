@@ -8,12 +8,12 @@ from fractions import Fraction
 from functools import cached_property, wraps
 from typing import Any, Concatenate, ParamSpec, TypeVar
 
-from corollary.derive.free_body import Forces
 from corollary.derive.statements import (
     Choice,
     Code,
     Example,
     Explain,
+    Forces,
     Mistake,
     Neglected,
     Plot,

@@ -4,27 +4,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
 
 import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
-from corollary.derive.assumptions import FoundFunction, Known, Root, forms, simplest
-from corollary.derive.cases import Branch, Case, ways
-from corollary.derive.choices import claims, solved_choice
-from corollary.derive.derivation import Entry
-from corollary.derive.example import solved_example
+from corollary.derive.assumptions import FoundFunction, Known, Root, at, forms, simplest
+from corollary.derive.derivation import Always, Branch, Case, Entry, clauses, relations, ways
 from corollary.derive.forces import solved_forces
-from corollary.derive.free_body import Forces
 from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.optimum import best
-from corollary.derive.other_roots import asides, conditions, others
 from corollary.derive.parts import dimensions_asked, misfits, unsolved
 from corollary.derive.paths import with_paths
-from corollary.derive.roots import NoRoot, exchanged, pick, roots
+from corollary.derive.roots import NoRoot, Picked, exchanged, pick, roots
 from corollary.derive.solution import (
+    ClaimedCondition,
+    OtherRoot,
     Regime,
     Rule,
     SceneOutcome,
@@ -37,12 +36,14 @@ from corollary.derive.solution import (
     SolvedProof,
     SolvedRoute,
     Unknown,
+    Ways,
 )
 from corollary.derive.statements import (
     Choice,
     Example,
     Exchange,
     Finding,
+    Forces,
     Mistake,
     Neglected,
     Optimum,
@@ -52,11 +53,130 @@ from corollary.derive.statements import (
     Step,
     Supposed,
 )
-from corollary.formula.ast import Relation
-from corollary.formula.from_sympy import tree
-from corollary.laws.law import Law, substitute
+from corollary.formula.ast import Expr, Number, Relation
+from corollary.formula.authored import NotTyped, as_expression
+from corollary.formula.from_sympy import NoTree, tree
+from corollary.laws.law import Law, sides, substitute
 from corollary.problem.bank import Bank, bank_of
+from corollary.problem.part import Part
 from corollary.problem.problem import Problem
+
+
+def solved_choice(entry: Choice[Boolean | bool], part: Part, known: Known) -> SolvedChoice:
+    """Raises ValueError where the options are not those of the part."""
+    letters = {option.letter for option in part.options}
+    if letters != entry.options.keys():  # pyright: ignore[reportUnnecessaryComparison]
+        raise ValueError(
+            f"its options are {', '.join(sorted(letters))}; give each of them, and no other, its condition"
+        )
+    options: dict[str, Ways] = {}
+    for letter, condition in entry.options.items():
+        try:
+            holds = known.in_givens_alone(condition)
+            constant = holds in (sympy.true, sympy.false)
+            options[letter] = (((),) if holds else ()) if constant else ways(holds)
+        except ValueError as error:
+            raise ValueError(f"option {letter}: {error}") from None
+    return Choice(entry.statement, options, entry.mistakes)
+
+
+def claims(
+    entries: Iterable[Entry], known: Known, failing: Callable[[str, int], NotDerivable]
+) -> Iterator[ClaimedCondition]:
+    """What an author claims of all numbers. Raises what `failing` makes where a claim is none, or speaks of what is unknown."""
+    for entry in entries:
+        if isinstance(entry, Always):
+            words, line = entry.statement.because, entry.statement.line
+            try:
+                yield ClaimedCondition(words, _claimed(entry.condition, known), line)
+            except ValueError as error:
+                raise failing(f"always(…): {error}", line) from error
+
+
+def _claimed(condition: Boolean | bool | str, known: Known) -> tuple[tuple[Relation, ...], ...]:
+    """None of a condition that sympy takes for true of all numbers: which of its letters it has cancelled cannot be seen any more."""
+    if isinstance(condition, str):
+        return ((known.relation_in_givens(condition),),)
+    holds = known.in_givens_alone(condition)
+    if holds == sympy.true:
+        return ()
+    if holds == sympy.false:
+        one = Number(Fraction(1))
+        return ((Relation("!=", one, one),),)
+    return clauses(holds)
+
+
+Stated = Example[sympy.Symbol, sympy.Expr, Law]
+
+
+def solved_example(entry: Stated, known: Known) -> SolvedExample:
+    """Counts how many unknowns the laws leave free, for an example must leave room for the student's own. Raises ValueError."""
+    equations = [
+        sympy.simplify(known.in_givens(left - right)) for law in entry.laws for left, right in sides(law)
+    ]
+    unknowns = len(entry.unknowns)
+    free = unknowns - sympy.Matrix(equations).jacobian(list(entry.unknowns)).rank()
+    if free != entry.free:
+        raise ValueError(f"{len(equations)} laws for {unknowns} unknowns leave {free} free, not {entry.free}")
+    return Example(
+        entry.statement,
+        tuple(symbol.name for symbol in entry.unknowns),
+        tuple(map(applied, entry.laws)),
+        tuple((tuple(map(known.tree_in_givens, values)), why) for values, why in entry.apart),
+        entry.free,
+        known.tree_in_givens(entry.scale),
+        _instance(entry, known, equations),
+    )
+
+
+def _instance(entry: Stated, known: Known, equations: list[sympy.Expr]) -> tuple[Expr, ...] | None:
+    """One good example: the first unknowns set to simple shares of the scale, the others solved for."""
+    scale = known.in_givens(entry.scale)
+    chosen, others = entry.unknowns[: entry.free], list(entry.unknowns[entry.free :])
+    for share in (sympy.Rational(-1, 3), sympy.Rational(1, 2), sympy.Integer(2), sympy.Rational(1, 5)):
+        fixed: dict[sympy.Symbol, Any] = dict.fromkeys(chosen, share * scale)
+        left = [substitute(equation, fixed) for equation in equations]
+        for root in sympy.solve(left, others, dict=True) if others else [{}]:
+            whole = fixed | root
+            if all(
+                symbol in whole and not whole[symbol].free_symbols - set(known.formulas)
+                for symbol in entry.unknowns
+            ) and all(at(value, each).is_real for value in whole.values() for each in known.points):
+                return tuple(tree(simplest(whole[symbol])) for symbol in entry.unknowns)
+    return None
+
+
+def conditions(entry: Step) -> tuple[Relation, ...] | None:
+    """The conditions on the root that is meant; None where they are no relations."""
+    if isinstance(entry.where, bool):
+        return ()
+    try:
+        return relations(entry.where)
+    except ValueError:
+        return None
+
+
+def others(picked: Picked, known: Known) -> Iterator[OtherRoot]:
+    """The roots that are not meant, in givens."""
+    for worded, unmeant in ((True, picked.worded), (False, picked.others)):
+        for root in unmeant:
+            values = {symbol.name: formula(known.in_givens(value)) for symbol, value in root.items()}
+            whole = {name: value for name, value in values.items() if value is not None}
+            yield OtherRoot(whole if len(whole) == len(values) else {}, worded)
+
+
+def asides(entry: Step, known: Known) -> dict[str, Expr]:
+    """What the laws needed besides, in givens."""
+    found = {symbol.name: formula(known.aside[symbol]) for symbol in entry.also}
+    return {name: value for name, value in found.items() if value is not None}
+
+
+def formula(expression: object) -> Expr | None:
+    """In our own terms; None where it is no formula of ours."""
+    try:
+        return tree(as_expression(expression))
+    except (NoTree, NotTyped):  # NotTyped: a complex root
+        return None
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from corollary.messages import catalogue
 
-if TYPE_CHECKING:  # what is solved already is used without any algebra, and sympy takes half a second to load
+if TYPE_CHECKING:
     import sympy
     from sympy.logic.boolalg import Boolean
 
@@ -285,3 +285,34 @@ StatedChoice = Choice["Boolean | bool"]
 StatedExample = Example["sympy.Symbol", "sympy.Expr", "Law"]
 StatedProof = Proof["Law"]
 StatedNeglected = Neglected[Step, Supposed]
+
+
+@dataclass(frozen=True, slots=True)
+class Acting(Generic[Expression]):
+    """A force on a body: the letter of its name, its magnitude, and where it points, in a word or as an angle. Once solved
+    that is an angle, and `word` what the author said."""
+
+    letter: str
+    magnitude: Expression
+    way: str | Expression
+    word: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Along(Generic[LawT]):
+    """A law about the components of forces along a direction."""
+
+    way: str | sympy.Expr
+    law: LawT
+
+
+@dataclass(frozen=True, slots=True)
+class Forces(Generic[Expression, LawT]):
+    """All forces on a body; along each direction of `balances` they add up to what the law there says. `mistakes` say why others
+    do not act, by their letters. Once solved, all is in givens, directions are angles, and `slope` is that of the part."""
+
+    statement: Statement
+    forces: tuple[Acting[Expression], ...]
+    balances: tuple[Along[LawT], ...]
+    mistakes: Mapping[str, str]
+    slope: Expression | None = None

@@ -7,11 +7,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from corollary.figure.drawing_sheet import Canvas, fixed
-from corollary.figure.item import FigureItem, NotDrawable, Point
-from corollary.figure.lettering import lettered, spoken
-from corollary.figure.primitive import LAID, PRIMITIVES
-from corollary.figure.room import Box
+from corollary.figure.drawing_sheet import LAID, PRIMITIVES, Canvas, FigureItem, NotDrawable, Point, fixed
+from corollary.figure.lettering import Box, lettered, spoken
 from corollary.figure.shapes.lines import LONGEST
 from corollary.messages import N_, catalogue
 

@@ -1,18 +1,59 @@
-"""The sheet on which the things of a figure are drawn: it knows where they are, and finds room for what is written on them."""
+"""The sheet on which a figure is drawn: places of its things, room for texts, and the table of things that there are."""
 
 from __future__ import annotations
 
 import html
 import math
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Final
+from typing import Final, Literal
 
 from corollary.figure.colour import BLUE, GREEN, ORANGE, PURPLE, VERMILLION
-from corollary.figure.item import FigureItem, NotDrawable, Place, Point
-from corollary.figure.lettering import SIZE, lettered
-from corollary.figure.room import Box, TextSpot, WaitingText, box_of, lies, shared
+from corollary.figure.lettering import SIZE, Box, TextSpot, WaitingText, box_of, lettered, lies, shared
+
+Point = tuple[float, float]
+Place = Point | str
+"""Coordinates, or a thing by its name: `A`, or one of its sides, `A.top`."""
+
+
+@dataclass(frozen=True, slots=True)
+class FigureItem:
+    """Lengths are in one unit, whichever; angles in radians; `vectors` are grouped by what they measure, so that arrows of one
+    group are drawn to one scale."""
+
+    kind: str
+    name: str = ""
+    texts: tuple[str, ...] = ()
+    places: Mapping[str, tuple[Place, ...]] = field(default_factory=dict[str, tuple[Place, ...]])
+    numbers: Mapping[str, tuple[float, ...]] = field(default_factory=dict[str, tuple[float, ...]])
+    flags: frozenset[str] = frozenset()
+    group: str = ""
+
+    @property
+    def label(self) -> str:
+        return self.texts[0] if self.texts else ""
+
+    @property
+    def marked(self) -> bool:
+        """Whether its name is written on it: a capital letter or a number; a small letter is for the author's use."""
+        return self.name[:1].isupper() or self.name[:1].isdigit()
+
+    def number(self, word: str) -> float | None:
+        return self.numbers[word][0] if word in self.numbers else None
+
+    def place(self, word: str) -> Place:
+        """Raises NotDrawable when the word is missing."""
+        if word not in self.places:
+            raise NotDrawable(f"{self.kind} needs {word}=, such as {word}=0,0 or {word}=A")
+        return self.places[word][0]
+
+
+class NotDrawable(ValueError):
+    """Something in a figure cannot be drawn; one sentence says what and what to do. `item` is the thing, where it is known."""
+
+    item: FigureItem | None = None
+
 
 INK: Final = "#222"
 DARK_GREY: Final = "#6b6b6b"
@@ -252,3 +293,55 @@ class Canvas:
 def _text(inside: str, x: float, y: float, anchor: str, size: int, fill: str) -> str:
     look = "" if size == SIZE else f' font-size="{size}"'
     return f'<text x="{fixed(x)}" y="{fixed(-y)}" text-anchor="{anchor}" fill="{fill}"{look}>{inside}</text>'
+
+
+Takes = Literal["place", "places", "vector", "lengths", "angles", "number"]
+WORDS: Final[dict[str, Takes]] = {
+    "at": "place",
+    "from": "place",
+    "to": "place",
+    "through": "places",
+    "by": "vector",
+    "radius": "lengths",
+    "length": "lengths",
+    "size": "lengths",
+    "angle": "angles",
+    "between": "angles",
+    "turn": "angles",
+    "along": "number",
+    "on": "place",
+    "over": "number",
+}
+"""What an author can say of a thing, and what kind of value it has."""
+TEXT_SIDES: Final = frozenset({"above", "below", "left", "right"})
+LAID: Final = 0, 1, 2, 3
+"""Bodies first, for others are attached to them; then what joins them; floors below all that; last what goes where there is room."""
+
+
+@dataclass(frozen=True, slots=True)
+class Primitive:
+    """`noun` is what a screen reader says; `words` and `flags` are what an author may write of it."""
+
+    kind: str
+    noun: str
+    draw: Callable[[Canvas, FigureItem], None]
+    words: frozenset[str]
+    flags: frozenset[str]
+    laid: int
+    most_texts: int
+
+
+PRIMITIVES: Final[dict[str, Primitive]] = {}
+
+
+def primitive(
+    kind: str, noun: str, words: str = "", flags: str = "", *, laid: int = 1, texts: int = 1
+) -> Callable[[Callable[[Canvas, FigureItem], None]], Callable[[Canvas, FigureItem], None]]:
+    """Registers a function as what draws things of a kind; colours and the sides of a text are known to all."""
+
+    def register(draw: Callable[[Canvas, FigureItem], None]) -> Callable[[Canvas, FigureItem], None]:
+        every = frozenset(flags.split()) | COLOURS.keys() | TEXT_SIDES
+        PRIMITIVES[kind] = Primitive(kind, noun, draw, frozenset(words.split()), every, laid, texts)
+        return draw
+
+    return register

@@ -10,8 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
-from corollary.figure.paper import on_paper
-from corollary.figure.svg import NotADrawing, alone, left_out, safe_svg
+from corollary.figure.svg import NotADrawing, alone, left_out, on_paper, safe_svg
 
 EXIF = b"Exif\0\0"
 ORIENTATION = 0x0112

@@ -39,8 +39,7 @@ from corollary.records.files import Course
 from corollary.records.marks import Record, Row, read_record, record_of
 from corollary.records.regrading import TIME, changed, needs_no_run
 from corollary.records.submissions import verdict_of
-from corollary.render.feedback_facts import ExerciseFacts, PageFacts, PartFacts, packed
-from corollary.render.feedback_page import feedback_page
+from corollary.render.feedback_page import ExerciseFacts, PageFacts, PartFacts, feedback_page, packed
 from corollary.render.markdown import html
 
 

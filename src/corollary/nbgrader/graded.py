@@ -24,8 +24,7 @@ from corollary.nbgrader.marked_notebook import answer_digest, marked_notebook, n
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.manual_marks import OfStudent
 from corollary.records.marks import Record, record_of, with_manual
-from corollary.render.feedback_facts import packed, page_facts, unpacked
-from corollary.render.feedback_page import feedback_page
+from corollary.render.feedback_page import feedback_page, packed, page_facts, unpacked
 from corollary.sandbox.runner import Runner
 
 

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from nbgrader.api import Gradebook
 
     from corollary.nbgrader.graded import GradedSubmission
-    from corollary.render.feedback_facts import PageFacts
+    from corollary.render.feedback_page import PageFacts
 
 SQLITE: Final = b"SQLite format 3\0"
 ROLLBACK: Final = (
@@ -193,7 +193,7 @@ def page_now(course: Course, set_name: str, student: str, manual: OfStudent) -> 
 
 def stored_facts(course: Course, set_name: str, student: str) -> PageFacts | None:
     """What a page is made again from; None when there is nothing, or it is damaged."""
-    from corollary.render.feedback_facts import unpacked
+    from corollary.render.feedback_page import unpacked
 
     try:
         return unpacked(page_facts_place(course, set_name, student).read_bytes())

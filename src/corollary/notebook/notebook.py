@@ -19,7 +19,7 @@ from nbformat import NotebookNode
 
 from corollary.answers.question import Question
 from corollary.answers.registry import folder
-from corollary.figure.paper import on_paper
+from corollary.figure.svg import on_paper
 from corollary.messages import N_, catalogue, in_convention, spoken
 from corollary.notebook.cells import answer_cell, graded_cell, program_cell, reading_cell, written_cell
 from corollary.notebook.locate import cell_id

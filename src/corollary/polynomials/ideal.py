@@ -10,9 +10,16 @@ from typing import Any
 
 from flint import fmpz_mpoly_vec
 
-from corollary.polynomials.polynomial import Polynomial, TooLarge, checked, factored, power, product
+from corollary.polynomials.polynomial import (
+    Polynomial,
+    RationalFunction,
+    TooLarge,
+    checked,
+    factored,
+    power,
+    product,
+)
 from corollary.polynomials.polynomial_signs import Signs
-from corollary.polynomials.rational_function import RationalFunction
 
 # Polynomials in a basis, terms in each, bits in a coefficient: a derivation's bases have fewer than ten.
 LIMITS = (40, 600, 4000)

@@ -26,9 +26,8 @@ from corollary.formula.ast import (
     walk,
 )
 from corollary.formula.exact import constant
-from corollary.polynomials.polynomial import Polynomial, TooLarge, context, factored
+from corollary.polynomials.polynomial import Polynomial, RationalFunction, TooLarge, context, factored
 from corollary.polynomials.polynomial_signs import Bounds, Signs
-from corollary.polynomials.rational_function import RationalFunction
 
 MOST_MULTIPLES = 8
 POSITIVE: Bounds = (Fraction(0), None)

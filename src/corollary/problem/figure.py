@@ -10,8 +10,7 @@ from functools import lru_cache, reduce
 from typing import Any, Final
 
 from corollary.figure.drawing import PRIMITIVES, FigurePanel, describe, draw, unmentioned
-from corollary.figure.item import FigureItem, NotDrawable, Place
-from corollary.figure.primitive import WORDS, Takes
+from corollary.figure.drawing_sheet import WORDS, FigureItem, NotDrawable, Place, Takes
 from corollary.formula.arithmetics import DOUBLES, ready
 from corollary.formula.ast import Relation, names
 from corollary.formula.errors import ParseError, sentence

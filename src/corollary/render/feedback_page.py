@@ -1,20 +1,201 @@
-"""The feedback page of a student: points, and for every part the question, the reading and the verdict."""
+"""The feedback page of a student, and the same as a notebook: points, and for every part the question, the reading and the verdict.
+
+The page itself is put together from these and from the marks as they stand, so that it can be made again whenever a person
+gives some, without the bank, the notebook or the solutions.
+"""
 
 from __future__ import annotations
 
+import base64
+import json
 import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from datetime import datetime
+from html import unescape
 
 import msgspec
 from markupsafe import Markup
 
+from corollary.answers.verdict import Unmarked, Unread
+from corollary.grading.part_grades import Grade, Marked, PartGrade
 from corollary.messages import catalogue, in_convention, spoken
+from corollary.notebook.worksheet import Prompt, exercise
+from corollary.problem.dates import in_words
+from corollary.problem.problem_set import ProblemSet
 from corollary.records.marks import PartRecord, Record
-from corollary.render.feedback_facts import ExerciseFacts, PageFacts, PartFacts
-from corollary.render.page import page
-from corollary.render.wording import BLANK, BY_HAND, LOOKS, Look, spell
+from corollary.render.markdown import html, inline
+from corollary.render.page import drawing, page
+from corollary.render.wording import BLANK, BY_HAND, LOOKS, Look, earned, spell
+from corollary.sandbox.result import CellRun, Figure
 
 _ = catalogue(__name__)
+
+PNG = b"\x89PNG\r\n\x1a\n"
+
+
+class Picture(msgspec.Struct, frozen=True):
+    """A student's figure: `source` is a data URI, empty when no picture could be drawn; `alt` says what it shows."""
+
+    source: str
+    alt: str
+
+
+class OptionFacts(msgspec.Struct, frozen=True):
+    """An option of a choice; `text` is HTML."""
+
+    letter: str
+    text: str
+
+
+class PartFacts(msgspec.Struct, frozen=True):
+    """One part: `key` names it in the notebook, `title` and `asked` are HTML, `rubric` is for the student's eyes."""
+
+    key: str
+    id: str
+    title: str
+    asked: str
+    options: tuple[OptionFacts, ...]
+    pictures: tuple[Picture, ...]
+    introduction: str
+    blank: bool
+    rubric: tuple[str, ...] = ()
+
+
+class ExerciseFacts(msgspec.Struct, frozen=True):
+    """One exercise; `statement`, `drawing` and `solution` are HTML, or empty."""
+
+    code: str
+    title: str
+    statement: str
+    drawing: str
+    parts: tuple[PartFacts, ...]
+    solution: str
+
+
+class PageFacts(msgspec.Struct, frozen=True):
+    """A whole page; `stopped` names the cells that stopped and why, `not_run` counts those that were not reached; `due` is the
+    student's own deadline in words."""
+
+    set_title: str
+    student: str
+    exercises: tuple[ExerciseFacts, ...]
+    other_pictures: tuple[Picture, ...] = ()
+    stopped: tuple[tuple[str, str], ...] = ()
+    not_run: int = 0
+    due: str = ""
+
+
+def page_facts(
+    marked: Marked,
+    problem_set: ProblemSet,
+    *,
+    solutions: Mapping[str, str] | None = None,
+    rubric: bool = False,
+    due: datetime | None = None,
+) -> PageFacts:
+    """`due` is the student's own deadline. `solutions` gives the worked solution (Markdown, with the student's numbers) by problem code; None shows none. `rubric`:
+    by what a person marks stands beside the answer."""
+    keys = [grade.variant.problem.answer_name(part.part) for grade in marked.grades for part in grade.parts]
+    pictures = _pictures(marked.figures, keys)
+    return PageFacts(
+        problem_set.title,
+        marked.student.name,
+        tuple(_exercise_facts(grade, pictures, solutions or {}, rubric) for grade in marked.grades),
+        pictures.get("", ()),
+        tuple(_stopped(run) for run in marked.runs if run.status in {"error", "timeout"}),
+        sum(run.status == "not run" for run in marked.runs),
+        "" if due is None else in_words(due),
+    )
+
+
+def packed(facts: PageFacts) -> bytes:
+    """The facts as JSON; half a surrogate pair in a student's text, which no file can hold, is a question mark."""
+    return json.dumps(msgspec.to_builtins(facts), ensure_ascii=False).encode("utf-8", "replace")
+
+
+def unpacked(content: bytes) -> PageFacts:
+    """The facts that `packed` made a file of. Raises msgspec.DecodeError for anything else."""
+    return msgspec.json.decode(content, type=PageFacts)
+
+
+def describe(figure: Figure) -> str:
+    """A student's figure in a sentence, for those who cannot see it."""
+    axes: list[str] = []
+    for one in figure.axes:
+        words = [_.plural("{count} curve", "{count} curves", len(one.lines))]
+        words += [_("titled “{text}”", text=one.title)] if one.title else []
+        words += [_("x axis “{text}”", text=one.xlabel)] if one.xlabel else []
+        words += [_("y axis “{text}”", text=one.ylabel)] if one.ylabel else []
+        axes.append(", ".join(words))
+    return _("Your figure: {contents}", contents="; ".join(axes) or _("nothing is drawn in it"))
+
+
+def _exercise_facts(
+    grade: Grade, pictures: Mapping[str, tuple[Picture, ...]], solutions: Mapping[str, str], rubric: bool
+) -> ExerciseFacts:
+    asked = exercise(grade.variant)
+    prompts = {prompt.part.id: prompt for prompt in asked.prompts}
+    solution = solutions.get(asked.problem.code, "")
+    return ExerciseFacts(
+        asked.problem.code,
+        asked.problem.title,
+        html(asked.statement),
+        str(drawing(asked)),
+        tuple(_part_facts(prompts[part.part.id], part, pictures, rubric) for part in grade.parts),
+        html(solution) if solution else "",
+    )
+
+
+def _part_facts(
+    prompt: Prompt, part: PartGrade, pictures: Mapping[str, tuple[Picture, ...]], rubric: bool
+) -> PartFacts:
+    blank = isinstance(part.verdict, Unread) and part.verdict.blank
+    return PartFacts(
+        prompt.key,
+        part.part.heading_letter,
+        inline(part.part.title),
+        html(prompt.text),
+        tuple(OptionFacts(option.mark, inline(option.text)) for option in prompt.options),
+        pictures.get(prompt.key, ()),
+        _introduction(part) if part.answer and not blank else "",
+        blank,
+        part.verdict.rubric if rubric and isinstance(part.verdict, Unmarked) else (),
+    )
+
+
+def _introduction(part: PartGrade) -> str:
+    """The words before the answer."""
+    match part.verdict:
+        case Unread():
+            return _("What you wrote:")
+        case Unmarked():
+            return _("Your answer:")
+        case _:
+            return _("Your answer, as read:")
+
+
+def _pictures(figures: Sequence[Figure], keys: Sequence[str]) -> dict[str, tuple[Picture, ...]]:
+    """The pictures by the part whose cell drew them; under "" those of no part's."""
+    found: dict[str, tuple[Picture, ...]] = {}
+    for figure in figures:
+        # X12_5_c_2_plot begins with X12_5_c_ and with X12_5_c_2_: the longest key is meant.
+        owners = (key for key in keys if figure.cell == key or figure.cell.startswith(key + "_"))
+        key = max(owners, key=len, default="")
+        png = figure.png if figure.png is not None and figure.png.startswith(PNG) else None
+        source = f"data:image/png;base64,{base64.b64encode(png).decode()}" if png else ""
+        found[key] = (*found.get(key, ()), Picture(source, describe(figure)))
+    return found
+
+
+def _stopped(run: CellRun) -> tuple[str, str]:
+    """The cell, and what stopped it."""
+    if run.error:
+        return run.id, run.error
+    return run.id, (
+        _("It ran too long and was stopped.") if run.status == "timeout" else _("It ended in an error.")
+    )
+
 
 HYPHEN_AS_MINUS = re.compile(r"(?<![\w.^])-(?=[\d.])")
 
@@ -119,3 +300,51 @@ def _part(facts: PartFacts, record: PartRecord) -> MarkedPart:
     if manual is not msgspec.UNSET and manual.score is not None:
         return MarkedPart(facts, record, BY_HAND)
     return MarkedPart(facts, record, BLANK if facts.blank else LOOKS[record.verdict])
+
+
+TAG = re.compile(r"<[^>]*>")
+# What Markdown would take for more than text, in an answer or in what a person wrote.
+MARKED_UP = re.compile(r"([\\`*_\[\]<>#$|~!])")
+
+
+def feedback_notebook(facts: PageFacts, record: Record) -> str:
+    """The text of a notebook with the marks, the answers as they were read, and what is said of them."""
+    total = _("of {out_of} points", out_of=earned(record.out_of))
+    cells = [
+        f"# {_literal(facts.set_title)}",
+        _("Feedback for {name}", name=_literal(facts.student)),
+        f"**{earned(record.points)}** {total}",
+        *(_literal(note) for note in (record.trouble, *record.notes) if note),
+    ]
+    texts = ["\n\n".join(cells)]
+    for marked in marked_exercises(facts, record):
+        texts.append(f"## {marked.facts.code} {_literal(marked.facts.title)}")
+        texts += map(_of_part, marked.parts)
+    return json.dumps(
+        {
+            "cells": [
+                {"cell_type": "markdown", "id": f"feedback-{number}", "metadata": {}, "source": text}
+                for number, text in enumerate(texts)
+            ],
+            "metadata": {},
+            "nbformat": 4,
+            "nbformat_minor": 5,
+        },
+        ensure_ascii=False,
+    )
+
+
+def _of_part(part: MarkedPart) -> str:
+    marks = _("{points} of {out_of}", points=earned(part.record.points), out_of=earned(part.record.out_of))
+    texts = [
+        f"### ({part.facts.id}) {_literal(unescape(TAG.sub('', part.facts.title)))}",
+        f"**{part.look.phrase}** ({marks})",
+        f"{part.facts.introduction} {_literal(part.answer)}" if part.facts.introduction else "",
+        _literal(part.comment),
+        part.feedback,
+    ]
+    return "\n\n".join(text for text in texts if text)
+
+
+def _literal(text: str) -> str:
+    return MARKED_UP.sub(r"\\\1", text)

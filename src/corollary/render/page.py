@@ -11,8 +11,7 @@ from importlib.resources import files
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from corollary.figure.paper import on_paper
-from corollary.figure.svg import alone, safe_svg
+from corollary.figure.svg import alone, on_paper, safe_svg
 from corollary.messages import catalogue
 from corollary.notebook.worksheet import Exercise
 from corollary.render.markdown import html, inline

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from corollary.figure.paper import VIEW
 from corollary.figure.picture import ADDRESS, content
+from corollary.figure.svg import VIEW
 
 NAME: Final = "picture:"
 SOURCE = re.compile(rf'src="({NAME}[0-9a-f]{{16}})"')

@@ -12,8 +12,7 @@ from corollary.answers.verdict import Unmarked, Verdict
 from corollary.grading.part_grades import PartGrade
 from corollary.messages import catalogue, spoken
 from corollary.notebook.worksheet import Exercise, Prompt
-from corollary.practice.posed import Posed
-from corollary.practice.practice import Practice
+from corollary.practice.practice import Posed, Practice
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.problem.translation import in_language

@@ -9,8 +9,7 @@ from pathlib import Path
 
 from corollary.atomic import write_whole
 from corollary.derive.load import NotDerivable
-from corollary.figure.paper import on_paper
-from corollary.figure.svg import alone
+from corollary.figure.svg import alone, on_paper
 from corollary.formula.ball import Undefined
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import Bank

@@ -1,8 +1,9 @@
-"""The statistics of a set on a terminal: what each part tells, what is held by how many, and which numbers made a difference."""
+"""The statistics of a set on a terminal, and estimates and effects in words, for a page too."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from rich.console import Group, RenderableType
 from rich.table import Table
@@ -11,7 +12,36 @@ from rich.text import Text
 from corollary.messages import visible
 from corollary.records.statistics import SetStatistics
 from corollary.records.unlisted import SharedRule
-from corollary.render.statistics_text import EFFECTS, between, in_all, percent_between
+from corollary.render.wording import percent
+
+if TYPE_CHECKING:
+    from corollary.records.statistics import Estimate, FeatureEffect
+
+TOO_FEW = "Too few answers to tell whether the numbers drawn made a difference."
+EFFECTS = "Numbers drawn: effect on the odds, in logits for a standard deviation"
+
+
+def between(each: Estimate) -> str:
+    """The estimate and its interval."""
+    return f"{each.value:.2f} ({each.low:.2f} to {each.high:.2f})"
+
+
+def percent_between(each: Estimate) -> str:
+    """The same of a share, in per cent."""
+    return f"{percent(each.value)} ({percent(each.low)} to {percent(each.high)})"
+
+
+def in_all(effects: Sequence[FeatureEffect]) -> str:
+    """How many effects were looked for and found, and how many would have been missed."""
+    if not effects:
+        return TOO_FEW
+    sure = sum(each.adjusted < 0.05 for each in effects)
+    blind = sum(each.power < 0.8 for each in effects)
+    return (
+        f"{len(effects)} {'effect' if len(effects) == 1 else 'effects'} looked for, {sure} found at 5 % of all together; of {blind} half a logit would be missed"
+        f" more than once in five times"
+    )
+
 
 MOST = 15
 

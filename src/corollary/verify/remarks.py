@@ -1,4 +1,4 @@
-"""Remarks on a problem that holds: data nobody needs, and mistakes that are too few or tell nothing apart."""
+"""Remarks on a problem that holds: data nobody needs, and mistakes that are too few, tell nothing or change no part."""
 
 from __future__ import annotations
 
@@ -6,20 +6,100 @@ import math
 from collections.abc import Iterator
 
 from corollary.answers.expected import Values
-from corollary.derive.solution import ClosedForms, SceneOutcome, Solution, Unknown
-from corollary.derive.statements import Code, Plot
+from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown
+from corollary.derive.statements import Code, Mistake, Plot
 from corollary.derive.worked_solution import unexplained
-from corollary.formula.ast import names
+from corollary.formula.ast import Relation, names
 from corollary.formula.ball import Undefined
+from corollary.grading.assign import hidden_mistakes, numbers_tried
 from corollary.grading.key import Key
 from corollary.grading.replay import WhatIf, replay
 from corollary.problem.bank import Bank
 from corollary.problem.packed_pictures import unused
 from corollary.problem.problem import Problem
 from corollary.verify.checked import Tally
+from corollary.verify.obligations.algebra import Algebra
+from corollary.verify.obligations.box import Box
+from corollary.verify.obligations.claims import mistaken
+
+SAME = 1e-9  # relative: doubles of one value by two ways
+
+
+def check_hidden_mistakes(bank: Bank, solution: Solution, tally: Tally) -> None:
+    """Complain of mistakes that are the truth or have no value; note those that leave every answer as it is."""
+    file = bank.solution(solution.problem).name
+    every = [each.solution for each in solution.regimes] or [solution]
+    met: set[tuple[int, str]] = set()
+    for one in every:
+        for place, mistake, parts in hidden_mistakes(one):
+            if (mistake.line, mistake.text) in met:
+                continue
+            met.add((mistake.line, mistake.text))
+            is_fault, why = _reason(one, place, mistake, parts)
+            (tally.complain if is_fault else tally.note)(
+                f"{file}:{mistake.line}: the mistake {mistake.text!r} {why}"
+            )
+
+
+def _reason(solution: Solution, place: int, mistake: Mistake[Rule], parts: list[str]) -> tuple[bool, str]:
+    """Whether it is a fault, and why the mistake is never met."""
+    names = ", ".join(solution.unknowns[place].names)
+    if not parts:
+        return False, f"is never met: no part is made of {names}; ask for it, or leave the mistake out"
+    outcomes = list(_outcomes(solution, place, mistake))
+    tried = f"all {len(outcomes)} numbers tried" if len(outcomes) > 1 else "the printed numbers"
+    if "differs" not in outcomes and "same" not in outcomes:
+        return True, f"has no value for {tried}: correct its law, or leave it out"
+    if "differs" not in outcomes:
+        how = "for all numbers, by algebra" if _identical(solution, place, mistake, place) else f"for {tried}"
+        return True, f"gives the same {names} as the step itself {how}: correct its law, or leave it out"
+    every = len(parts) > 1
+    asked = f"part{'s' * every} {', '.join(parts)}"
+    proven = all(
+        _identical(solution, place, mistake, at)
+        for at, find in enumerate(solution.unknowns)
+        if find.part in parts
+    )
+    how = "for all numbers, by algebra" if proven else f"for {tried}"
+    return False, (
+        f"changes {names}, and leaves {asked} as {'they are' if every else 'it is'} {how}: "
+        "nobody is told of it, and no numbers are drawn again for it"
+    )
+
+
+def _outcomes(solution: Solution, place: int, mistake: Mistake[Rule]) -> Iterator[str]:
+    """For each of the numbers tried: `same`, `differs`, or `undefined` where the mistake has no value."""
+    for givens in numbers_tried(solution):
+        try:
+            truth = replay(solution, givens, until=place)[place]
+        except Undefined:
+            continue
+        try:
+            other = replay(solution, givens, WhatIf(rules={place: mistake.rule}), place)[place]
+        except Undefined:
+            yield "undefined"
+            continue
+        alike = all(
+            abs(mine - theirs) <= SAME * max(abs(mine), abs(theirs))
+            for mine, theirs in zip(other, truth, strict=True)
+        )
+        yield "same" if alike else "differs"
+
+
+def _identical(solution: Solution, place: int, mistake: Mistake[Rule], at: int) -> bool:
+    """True if algebra shows that the find at `at` is the same with the mistake as without."""
+    wrong, truth = mistaken(solution, place, mistake.rule, at), solution.unknowns[at].in_givens
+    if wrong is None or truth is None:
+        return False
+    need = [Relation("=", mine, theirs) for mine, theirs in zip(wrong, truth, strict=True)]
+    try:
+        algebra = Algebra(Box(solution.problem, solution.conditions), need)
+    except ValueError:
+        return False
+    return all(map(algebra.holds, need))
+
 
 ENOUGH = 2  # mistakes of a quantity: with one alone, everything else that is wrong is a surprise
-SAME = 1e-9  # relative
 
 
 def remark(bank: Bank, solution: Solution, key: Key, tally: Tally) -> None:

@@ -1,17 +1,34 @@
-"""Many problems verified on all cores of this machine, in their order; each process runs programs with a runner of its own."""
+"""Many problems verified in their order: on all cores, on a Dask cluster, or not again where nothing changed."""
+
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 
 from __future__ import annotations
 
+import hashlib
+import json
+import platform
 from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import Future
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import AbstractContextManager, contextmanager, suppress
+from dataclasses import asdict
+from functools import cache
+from importlib.metadata import PackageNotFoundError, version
+from threading import Lock
+from typing import Any
 
+from corollary import plug_ins, user_cache
+from corollary.cluster import NoCluster, connect
+from corollary.derive.load import NotDerivable, source
+from corollary.messages import speak, spoken
 from corollary.parallel import ProcessDied, Workers, cores
 from corollary.problem.bank import Bank
+from corollary.problem.packed_pictures import packed_file, unused
 from corollary.problem.problem import Problem
 from corollary.sandbox.folders import remove_abandoned
 from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked
+from corollary.verify.mutation.score_record import from_data
+from corollary.verify.obligations.obligation import Settled
 from corollary.verify.program_checks import unstarted
 from corollary.verify.verify import not_verified, verify
 
@@ -68,3 +85,145 @@ def _begin(todo: Todo, count: int) -> None:
 def _there(place: int) -> Checked:
     todo, count, runner = _at_work[0]
     return verify(*todo[place], count, runner)
+
+
+LIBRARIES = ("sympy", "python-flint", "numpy", "scipy", "z3-solver", "matplotlib", "numba")
+"""What a verdict may depend on besides our own programs."""
+PLUG_INS = ("corollary.laws", "corollary.banks", "corollary.answers")
+
+
+@contextmanager
+def verify_changed(
+    todo: Todo, count: int, verify_those: VerifyEach = verify_each, *, anew: bool = False
+) -> Generator[Iterator[Checked]]:
+    """As `verify_those` does it, in the same order; what held before, and is the same, is not verified again, unless `anew`.
+    Complaints are not kept."""
+    before = [None if anew else _recalled(bank, problem, count) for bank, problem in todo]
+    changed = [each for each, found in zip(todo, before, strict=True) if found is None]
+    with verify_those(changed, count) as verified:
+
+        def in_order() -> Iterator[Checked]:
+            for (bank, problem), found in zip(todo, before, strict=True):
+                yield found if found is not None else _written(next(verified), bank, problem, count)
+
+        yield in_order()
+
+
+def _recalled(bank: Bank, problem: Problem, count: int) -> Checked | None:
+    with suppress(NotDerivable, ValueError, TypeError, KeyError):
+        text = user_cache.read(_name(problem), origin(bank, problem, count))
+        if text is not None:
+            found: dict[str, Any] = json.loads(text)
+            found["obligations"] = tuple(Settled(**each) for each in found["obligations"])
+            found["mutation"] = from_data(found["mutation"])
+            for name in ("complaints", "notes", "unread"):
+                found[name] = tuple(found[name])
+            found["why"] = tuple((reason, times) for reason, times in found["why"])
+            return Checked(**found)
+    return None
+
+
+def _written(checked: Checked, bank: Bank, problem: Problem, count: int) -> Checked:
+    if checked.ok:
+        with suppress(NotDerivable):
+            text = json.dumps(asdict(checked), ensure_ascii=False).encode()
+            user_cache.write(_name(problem), origin(bank, problem, count), text)
+    return checked
+
+
+def _name(problem: Problem) -> str:
+    return user_cache.name_of(f"verified-{problem.name}", problem.path)
+
+
+def origin(bank: Bank, problem: Problem, count: int) -> str:
+    """Tells apart whatever could be verified differently: the problem with its translations, its solution, all programs.
+
+    Raises NotDerivable where the solution cannot be read.
+    """
+    beside = sorted(problem.path.parent.glob(f"{problem.path.stem}*.md"))
+    texts = [packed_file(path) for path in beside if path.is_file()]
+    own = source(bank, problem) if bank.solution(problem).is_file() else b""
+    parts = (
+        _programs(),
+        plug_ins.state(PLUG_INS).encode(),
+        str(count).encode(),
+        repr(problem).encode(),
+        own,
+        repr(unused(problem.path)).encode(),
+        *texts,
+    )
+    return hashlib.sha256(b"\0".join(parts)).hexdigest()
+
+
+@cache
+def _programs() -> bytes:
+    found = [platform.python_version()]
+    for library in LIBRARIES:
+        try:
+            found.append(f"{library} {version(library)}")
+        except PackageNotFoundError:
+            found.append(f"{library} is not there")
+    return hashlib.sha256(f"{found} {user_cache.programs(['.'])}".encode()).digest()
+
+
+_one_at_a_time = Lock()  # a worker may have several threads; the ball arithmetic is for one
+
+
+def on_cluster(address: str) -> VerifyEach:
+    """On the cluster whose scheduler is at this address; what a dying worker was at is done again by another.
+
+    Entering raises NoCluster where there is none, and so does going on once it is lost or a worker refuses.
+    """
+
+    @contextmanager
+    def each(todo: Todo, count: int) -> Generator[Iterator[Checked]]:
+        if not todo:
+            yield iter(())
+            return
+        client = connect(address)
+        try:
+            yield _in_order_there(client, todo, count)
+        finally:
+            client.close()
+
+    return each
+
+
+def verify_there(bank: Bank, problem: Problem, count: int, state: str, language: str) -> Checked:
+    """In a worker. Raises NoCluster where the problem, its solution or the program is not the one that was meant."""
+    with _one_at_a_time:
+        speak(language)
+        if _state(bank, problem, count) != state:
+            raise NoCluster(
+                f"a worker has another version of {problem.code} or of the program; put the same ones everywhere"
+            )
+        with unstarted() as runner:
+            return verify(bank, problem, count, runner)
+
+
+def _state(bank: Bank, problem: Problem, count: int) -> str:
+    try:
+        return origin(bank, problem, count)
+    except NotDerivable as error:  # verified all the same: it is a complaint
+        return str(error)
+
+
+def _in_order_there(client: Any, todo: Todo, count: int) -> Iterator[Checked]:
+    from distributed import CancelledError, KilledWorker
+
+    def begun(bank: Bank, problem: Problem) -> Any:
+        state = _state(bank, problem, count)
+        return client.submit(verify_there, bank, problem, count, state, spoken(), pure=False)
+
+    futures = {place: begun(*todo[place]) for place in longest_first(todo)}
+    for place, (_, problem) in enumerate(todo):
+        try:
+            yield futures[place].result()
+        except KilledWorker:
+            raise NoCluster(
+                f"the workers that verified {problem.code} died, one after another; verify it here, without --executor"
+            ) from None
+        except CancelledError:
+            raise NoCluster(
+                "the cluster was lost on the way; verify again: what held is not verified a second time"
+            ) from None

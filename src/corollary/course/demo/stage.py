@@ -12,8 +12,7 @@ from pathlib import Path
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
 from corollary.atomic import write_whole
-from corollary.course.demo.player import Hand, Player
-from corollary.course.demo.players import PLAYERS
+from corollary.course.demo.players import PLAYERS, Hand, Player
 from corollary.course.generate import generate
 from corollary.course.grade import Outcome, grade_set
 from corollary.grading.points import share

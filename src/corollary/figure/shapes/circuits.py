@@ -5,10 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from corollary.figure.drawing_sheet import INK, TINTS, Canvas
-from corollary.figure.item import FigureItem, NotDrawable, Point
-from corollary.figure.primitive import primitive
-from corollary.figure.room import around
+from corollary.figure.drawing_sheet import INK, TINTS, Canvas, FigureItem, NotDrawable, Point, primitive
+from corollary.figure.lettering import around
 from corollary.figure.shapes.lines import ends
 from corollary.messages import N_
 

@@ -5,10 +5,17 @@ from __future__ import annotations
 import math
 
 from corollary.figure.colour import BLUE
-from corollary.figure.drawing_sheet import BEHIND, INK, MIDDLE, Canvas
-from corollary.figure.item import FigureItem, NotDrawable, Point
-from corollary.figure.primitive import primitive
-from corollary.figure.room import TextSpot, around
+from corollary.figure.drawing_sheet import (
+    BEHIND,
+    INK,
+    MIDDLE,
+    Canvas,
+    FigureItem,
+    NotDrawable,
+    Point,
+    primitive,
+)
+from corollary.figure.lettering import TextSpot, around
 from corollary.figure.shapes.surfaces import arc
 from corollary.messages import N_
 

@@ -6,10 +6,8 @@ import math
 from itertools import pairwise
 
 from corollary.figure.colour import BLUE, VERMILLION
-from corollary.figure.drawing_sheet import INK, TINTS, Canvas
-from corollary.figure.item import FigureItem, NotDrawable
-from corollary.figure.primitive import primitive
-from corollary.figure.room import around
+from corollary.figure.drawing_sheet import INK, TINTS, Canvas, FigureItem, NotDrawable, primitive
+from corollary.figure.lettering import around
 from corollary.figure.shapes.bodies import measured
 from corollary.figure.shapes.lines import beside
 from corollary.messages import N_

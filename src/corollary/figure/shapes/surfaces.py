@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import math
 
-from corollary.figure.drawing_sheet import BEHIND, INK, Canvas, fixed
-from corollary.figure.item import FigureItem, Point
-from corollary.figure.primitive import primitive
-from corollary.figure.room import TextSpot, around
+from corollary.figure.drawing_sheet import BEHIND, INK, Canvas, FigureItem, Point, fixed, primitive
+from corollary.figure.lettering import TextSpot, around
 from corollary.figure.shapes.bodies import measured
 from corollary.messages import N_
 

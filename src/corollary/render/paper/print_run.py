@@ -10,7 +10,7 @@ from fractions import Fraction
 from corollary.answers.option_names import option_named
 from corollary.answers.registry import answer_type
 from corollary.derive.solution import AppliedLaw, Solution
-from corollary.derive.typeset_numbers import given_numbers, quantity
+from corollary.derive.worked_solution import given_numbers, quantity
 from corollary.formula.ast import Name, Number, names
 from corollary.formula.latex import latex, letter, vector
 from corollary.formula.numerals import decimal_text
@@ -22,10 +22,8 @@ from corollary.notebook.worksheet import Exercise, Prompt
 from corollary.problem.problem_set import ProblemSet, Scheme
 from corollary.problem.statement import formulas_in_convention
 from corollary.problem.variant import with_unit, written
-from corollary.render.paper.document import pdf, typesetter
 from corollary.render.paper.sheet import PaperSheet, typst_opening, typst_pages, typst_sheet
-from corollary.render.paper.typst_formula import typst_formula
-from corollary.render.paper.typst_text import typst_line, typst_text, words_of
+from corollary.render.paper.typst import pdf, typesetter, typst_formula, typst_line, typst_text, words_of
 from corollary.render.wording import earned, points_earned
 from corollary.units.unit import ONE, PURE, Unit, si_unit, unit
 from corollary.units.unit import latex as unit_latex

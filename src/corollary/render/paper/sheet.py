@@ -12,17 +12,14 @@ from urllib.parse import quote
 
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.table.entry import numbered, units_of
-from corollary.figure.paper import VIEW
-from corollary.figure.svg import alone
+from corollary.figure.svg import VIEW, alone
 from corollary.formula.latex import letter
 from corollary.messages import catalogue
 from corollary.notebook.worksheet import Exercise, Prompt, SheetPlan, Worksheet
 from corollary.problem.dates import in_words
 from corollary.problem.roster import Student
 from corollary.render.page import drawing
-from corollary.render.paper.document import typesetter
-from corollary.render.paper.typst_formula import literal, typst_formula
-from corollary.render.paper.typst_text import typst_line, typst_text, words_of
+from corollary.render.paper.typst import literal, typesetter, typst_formula, typst_line, typst_text, words_of
 from corollary.render.wording import points_earned
 from corollary.units.unit import show
 

@@ -12,11 +12,11 @@ from corollary.formula.errors import ParseError
 from corollary.messages import catalogue
 from corollary.render.exports import CarriedPart, ItemFiles, Target
 from corollary.render.lms_item import ChoiceAsked, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
+from corollary.render.markdown import tex_html
 from corollary.render.page import drawing_file
 from corollary.render.pictures import as_files
 from corollary.render.qti_item import block, inline
 from corollary.render.targets.feedback_zip import write_archive
-from corollary.render.tex_html import tex_html
 from corollary.units.unit import Unit, read_unit, show
 from corollary.units.unit_table import PREFIXES
 

@@ -23,9 +23,9 @@ from corollary.render.lms_item import (
     PartAsked,
     ProseAsked,
 )
+from corollary.render.markdown import tex_html, tex_inline
 from corollary.render.page import drawing_file
 from corollary.render.pictures import as_files, lifted
-from corollary.render.tex_html import tex_html, tex_inline
 from corollary.units.unit import ONE, Unit, canonical, read_unit, show
 from corollary.units.unit_table import ENGLISH, UNITS
 

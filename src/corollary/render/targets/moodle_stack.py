@@ -11,8 +11,8 @@ from corollary.formula.ast import Call, Expr, Number, Relation, children, names,
 from corollary.formula.plain_text import text
 from corollary.render.exports import CarriedPart, ItemFiles, Target
 from corollary.render.lms_item import LmsItem, NotAsked
+from corollary.render.markdown import tex_html, tex_inline
 from corollary.render.targets import moodle
-from corollary.render.tex_html import tex_html, tex_inline
 
 FUNCTIONS: Final = {
     **{name: name for name in ("sqrt", "abs", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "ln")},

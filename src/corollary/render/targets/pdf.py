@@ -6,10 +6,9 @@ from corollary.messages import catalogue
 from corollary.notebook.worksheet import Exercise
 from corollary.problem.roster import Student
 from corollary.render.exports import Target
-from corollary.render.paper.document import pdf
 from corollary.render.paper.print_run import PrintRun
 from corollary.render.paper.sheet import numbered_pages, typst_exercise
-from corollary.render.paper.typst_text import typst_text, words_of
+from corollary.render.paper.typst import pdf, typst_text, words_of
 
 _ = catalogue(__name__)
 

@@ -27,8 +27,7 @@ from corollary.formula.errors import Undefined
 from corollary.formula.exact import exactly
 from corollary.formula.plain_text import text
 from corollary.formula.rational_pi import RationalPi
-from corollary.polynomials.polynomial import TooLarge
-from corollary.polynomials.rational_function import RationalFunction
+from corollary.polynomials.polynomial import RationalFunction, TooLarge
 from corollary.polynomials.translate import Translation
 from corollary.problem.sampling import sample
 from corollary.problem.variant import Variant, chapter, first_broken

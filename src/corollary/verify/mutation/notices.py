@@ -10,16 +10,14 @@ from typing import Any
 from corollary.answers.tolerance import within
 from corollary.derive.again import differential
 from corollary.derive.applied import applied
-from corollary.derive.cases import clauses, ways
-from corollary.derive.derivation import Always, Entry, Limit, Special
+from corollary.derive.derivation import Always, Entry, Limit, Special, clauses, ways
 from corollary.derive.forces import sum_along
-from corollary.derive.free_body import Forces
 from corollary.derive.load import Loaded, NotDerivable
 from corollary.derive.ready_scenes import run
 from corollary.derive.roots import exchanged
 from corollary.derive.simulation import Seen, Simulation, simulations_of
 from corollary.derive.solution import ClosedForms, Solution
-from corollary.derive.statements import Choice, Confirm, Printed, Step
+from corollary.derive.statements import Choice, Confirm, Forces, Printed, Step
 from corollary.formula.arithmetics import DOUBLES, Evaluation, NotAvailable, ready
 from corollary.formula.ast import Name, Relation
 from corollary.formula.from_sympy import NoTree, tree

@@ -11,9 +11,8 @@ from corollary.formula.ast import Call, Expr, Name, Relation
 from corollary.formula.ball import evaluate
 from corollary.formula.errors import Undefined
 from corollary.formula.rational_pi import RationalPi
-from corollary.polynomials.polynomial import TooLarge
+from corollary.polynomials.polynomial import RationalFunction, TooLarge
 from corollary.polynomials.polynomial_signs import Bounds
-from corollary.polynomials.rational_function import RationalFunction
 from corollary.polynomials.translate import Translation, sign_by_factors
 from corollary.verify.obligations.box import PI, Box
 

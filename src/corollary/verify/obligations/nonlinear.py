@@ -12,8 +12,7 @@ from typing import Any
 
 from corollary.formula.ast import Expr, Name, Relation, names, opposite
 from corollary.formula.errors import Undefined
-from corollary.polynomials.polynomial import TooLarge
-from corollary.polynomials.rational_function import RationalFunction
+from corollary.polynomials.polynomial import RationalFunction, TooLarge
 from corollary.verify.obligations.algebra import Algebra
 from corollary.verify.obligations.box import Box
 from corollary.verify.obligations.obligation import Clause, Equations

@@ -1,14 +1,22 @@
-"""A formula as Typst sets it, made of the tree that pages show as MathML, with words for who cannot see it."""
+"""Typst's markup: Markdown and formulas as it has them, and a tagged PDF made of it, the same bytes every time."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache, wraps
-from typing import Final
+from importlib import import_module
+from importlib.resources import files
+from typing import Any, Final
 from xml.etree.ElementTree import Element
 
+from markdown_it.tree import SyntaxTreeNode
+
+from corollary.extras import installing
+from corollary.messages import spoken
+from corollary.render.markdown import parser
 from corollary.render.mathml import APPLY, CLOSING, formula
+from corollary.render.pictures import as_svg, lifted
 from corollary.render.terminal_text import formula_text
 
 HOLES: Final = "٠۰߀०০੦૦୦௦౦೦൦෦๐໐༠၀႐០᠐᥆᧐᪀᪐᭐᮰᱀᱐꘠꣐꤀꧐꧰꩐꯰"
@@ -161,3 +169,156 @@ def _symbol(text: str) -> str:
 def _length(text: str) -> str:
     """A length of MathML in Typst: em and pt are the same, what else there is counts as a thin space."""
     return text if text.endswith(("em", "pt")) else "0.167em"
+
+
+POINT: Final = 0.75  # of a pixel of 1/96 inch
+AROUND = {"em": "emph", "strong": "strong", "s": "strike"}
+
+
+def typst_text(markdown: str, level: int = 4) -> str:
+    """Paragraphs, lists, tables, formulas, pictures; headings in the text are of this level."""
+    words = lifted(markdown)
+    return _with_pictures(_text(words.text, level), words.addresses)
+
+
+def typst_line(markdown: str) -> str:
+    """One line, without a paragraph around it."""
+    words = lifted(markdown)
+    return _with_pictures(_line(words.text), words.addresses)
+
+
+@lru_cache(maxsize=4096)
+def _text(markdown: str, level: int) -> str:
+    return _blocks(SyntaxTreeNode(parser().parse(markdown)).children, level).strip()
+
+
+@lru_cache(maxsize=4096)
+def _line(markdown: str) -> str:
+    return _words(SyntaxTreeNode(parser().parseInline(markdown)).children)
+
+
+def _with_pictures(markup: str, addresses: Mapping[str, str]) -> str:
+    for name, address in addresses.items():
+        svg, width = as_svg(address)
+        markup = markup.replace(
+            f"#picture-of({literal(name)}, ", f"#picture-of({literal(svg)}, {width * POINT:.4g}pt, "
+        )
+    return markup
+
+
+def words_of(text: str) -> str:
+    """A text that is no Markdown, such as a name. A space alone is one only as markup."""
+    return (f"#{literal(text)};" if text.strip(" ") else " ") if text else ""
+
+
+def _blocks(nodes: Iterable[SyntaxTreeNode], level: int) -> str:
+    return "\n\n".join(_block(node, level) for node in nodes)
+
+
+def _block(node: SyntaxTreeNode, level: int) -> str:
+    match node.type:
+        case "heading":
+            return f"#heading(level: {level})[{_words(node.children)}]"
+        case "bullet_list" | "ordered_list":
+            start = f"start: {node.attrGet('start') or 1}, " if node.type == "ordered_list" else ""
+            items = (f"[{_blocks(item.children, level)}]" for item in node.children)
+            return f"#{'enum' if start else 'list'}({start}{', '.join(items)})"
+        case "blockquote":
+            return f"#quote(block: true)[{_blocks(node.children, level)}]"
+        case "fence" | "code_block":
+            return f"#raw({literal(node.content.rstrip())}, block: true)"
+        case "math_block":
+            return typst_formula(node.content.strip(), display=True)
+        case "table":
+            return _table(node)
+        case "hr":
+            return "#line(length: 100%)"
+        case "inline" | "paragraph":
+            return _words(node.children)
+        case _:
+            return words_of(node.content) if not node.children else _blocks(node.children, level)
+
+
+def _table(node: SyntaxTreeNode) -> str:
+    rows = [
+        [_words(cell.children) for cell in row.children] for part in node.children for row in part.children
+    ]
+    head = [f"[#strong[{cell}]]" for cell in rows[0]]
+    cells = ", ".join(f"[{cell}]" for row in rows[1:] for cell in row)
+    return f"#table(columns: {len(head)}, table.header({', '.join(head)}), {cells})"
+
+
+def _words(nodes: Iterable[SyntaxTreeNode]) -> str:
+    return "".join(map(_word, nodes))
+
+
+def _word(node: SyntaxTreeNode) -> str:
+    match node.type:
+        case "math_inline":
+            return typst_formula(node.content.strip())
+        case "math_inline_double":
+            return typst_formula(node.content.strip(), display=True)
+        case "code_inline":
+            return f"#raw({literal(node.content)});"
+        case "softbreak":
+            return " "
+        case "hardbreak":
+            return "#linebreak();"
+        case "image":
+            return f"#picture-of({literal(str(node.attrGet('src')))}, {literal(node.content)});"
+        case "em" | "strong" | "s":
+            return f"#{AROUND[node.type]}[{_words(node.children)}];"
+        case _:
+            return _words(node.children) if node.children else words_of(node.content)
+
+
+USUAL, LARGE = "11pt", "18pt"
+STANDARD: Final = "ua-1"
+"""With it Typst refuses to write a file in which a formula or a picture has no words."""
+
+NO_LETTER: Final = "could not be displayed with font"
+
+
+class CannotTypeset(RuntimeError):
+    """There is no Typst here, or it refuses what was to be set; one sentence says which, and what to do."""
+
+
+def typesetter(module: str) -> Any:
+    """A module of the extra `pdf`. Raises CannotTypeset where it is not installed."""
+    try:
+        return import_module(module)
+    except ImportError as error:
+        raise CannotTypeset(
+            f"PDF needs the Python package {module}; install it with: {installing('pdf')}"
+        ) from error
+
+
+def pdf(sheets: Sequence[str], title: str, *, large: bool = False) -> bytes:
+    """One file with these sheets, each with its own count of pages. Raises CannotTypeset."""
+    size, show = (LARGE if large else USUAL), literal(spoken())
+    opening = f"#show: paper.with(lang: {show}, title: {literal(title)}, size: {size})\n\n"
+    source = (_style() + opening + "\n\n".join(sheets)).encode("utf-8", "replace")
+    typst = typesetter("typst")
+    for others in (False, True):
+        try:
+            return _compiler(others).compile(input=source, format="pdf", pdf_standards=STANDARD)
+        except typst.TypstError as error:
+            refused = error
+            if NO_LETTER not in error.message:
+                break
+    why = f"no font of this machine has what is to be set ({refused.message}); install one that has it"
+    why = why if NO_LETTER in refused.message else refused.message
+    raise CannotTypeset(f"{title} cannot be set on paper: {why}") from refused
+
+
+@lru_cache(maxsize=2)
+def _compiler(others: bool) -> Any:
+    """One for all files of this process: fonts are loaded once, and what was laid out before is remembered. `others`: with the
+    fonts of the machine too, for letters that Typst's own do not have."""
+    typst = typesetter("typst")
+    return typst.Compiler(font_paths=typst.Fonts(include_system_fonts=others))
+
+
+@lru_cache(maxsize=1)
+def _style() -> str:
+    return files("corollary.render").joinpath("templates", "paper.typ").read_text(encoding="utf-8")
