@@ -42,9 +42,8 @@ from corollary.grading.submission import MarkedSubmission, Submission
 from corollary.guard import collecting, guarded
 from corollary.nbgrader.graded import graded
 from corollary.notebook.content import with_names
-from corollary.notebook.locate import code_to_run, plot_cells, written_text
+from corollary.notebook.locate import code_to_run, origin, plot_cells, written_text
 from corollary.notebook.notebook import notebook
-from corollary.notebook.sheet_origin import origin
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank, find, load
 from corollary.problem.problem_set import ProblemSet, Scheme, read_set

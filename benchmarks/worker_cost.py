@@ -20,8 +20,7 @@ import matplotlib as mpl
 from IPython.core.interactiveshell import InteractiveShell
 
 from corollary.formula.value import Real
-from corollary.sandbox.job import Cell, Job
-from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.job import Cell, ExecutionResult, Job
 from corollary.sandbox.runner import Runner
 from grading import TEST, WORK
 

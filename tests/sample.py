@@ -17,7 +17,7 @@ from corollary.problem.roster import Student
 from corollary.problem.variant import at
 from corollary.records.marks import handed_in, rows
 from corollary.records.report_model import Report, report
-from corollary.sandbox.result import Axes, CellRun, DrawnLine, Figure
+from corollary.sandbox.job import Axes, CellRun, DrawnLine, Figure
 
 KICK = r"""
     ---

@@ -35,3 +35,10 @@ def write_each_whole(files: Mapping[Path, str | bytes]) -> None:
     with ThreadPoolExecutor(min(SIDE_BY_SIDE, len(files) or 1)) as pool:
         for written in [pool.submit(write_whole, path, content) for path, content in files.items()]:
             written.result()
+
+
+def write_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
+    """Writes them below the folder, and says where they are."""
+    placed = {folder / name: content for name, content in files.items()}
+    write_each_whole(placed)
+    return list(placed)

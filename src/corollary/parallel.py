@@ -1,4 +1,6 @@
-"""Processes beside this one: how many this program may use, how they work, and that none outlives the one that made it."""
+"""Processes beside this one: how many this program may use, how they work, that none outlives it; and a Dask cluster."""
+
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 
 from __future__ import annotations
 
@@ -15,7 +17,12 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from queue import Empty, SimpleQueue
 from threading import Lock, Thread
-from typing import Any, Self, TypeVar, TypeVarTuple
+from typing import TYPE_CHECKING, Any, Self, TypeVar, TypeVarTuple
+
+from corollary.extras import installing
+
+if TYPE_CHECKING:
+    from distributed import Client
 
 Given = TypeVarTuple("Given")
 Result = TypeVar("Result")
@@ -161,3 +168,36 @@ def _end_with_parent() -> None:
     if parent is not None:
         wait([parent.sentinel])
         os._exit(1)
+
+
+SECONDS_TO_CONNECT = 15
+
+
+class NoCluster(Exception):
+    """The cluster cannot be used; one sentence says why and what to do."""
+
+
+def connect(address: str) -> Client:
+    """A client of the scheduler at this address, which the caller closes; raises NoCluster where there is none, or no worker."""
+    try:
+        from distributed import Client
+    except ImportError:
+        raise NoCluster(f"a cluster needs Dask; install it with: {installing('dask')}") from None
+    try:
+        client = Client(address, timeout=SECONDS_TO_CONNECT)
+    except (OSError, ValueError) as error:
+        raise NoCluster(
+            f"no Dask scheduler answers at {address} ({error}); start one, or leave out --executor"
+        ) from None
+    if not worker_count(client):
+        client.close()
+        raise NoCluster(
+            f"the Dask cluster at {address} has no workers; start some with: dask worker {address} --nthreads 1"
+        )
+    return client
+
+
+def worker_count(client: Client) -> int:
+    """Of processes."""
+    info: Any = client.scheduler_info(n_workers=-1)
+    return len(info["workers"])

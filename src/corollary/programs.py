@@ -35,7 +35,7 @@ from corollary.grading.programs.curves import (
 from corollary.grading.programs.fixed_step import EULER, EULER_CROMER, RK4, Method, Path, march, states
 from corollary.grading.programs.panels import Axis, Panel, judge_panels
 from corollary.messages import N_, catalogue, in_convention
-from corollary.sandbox.result import Axes
+from corollary.sandbox.job import Axes
 from corollary.scenes.models.two_bodies import contact_time
 from corollary.scenes.run import Run
 

@@ -9,8 +9,7 @@ from fractions import Fraction
 import pytest
 
 from corollary.formula.value import Exact, Real
-from corollary.sandbox.job import Cell, FunctionCall, Job, Limits
-from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.job import Cell, ExecutionResult, FunctionCall, Job, Limits
 from corollary.sandbox.runner import Runner
 
 from .kernel import promised

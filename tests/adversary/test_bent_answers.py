@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from corollary.formula.value import Nothing, Real, Refused
-from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.job import ExecutionResult
 
 Run = Callable[..., ExecutionResult]
 

@@ -9,8 +9,7 @@ from fractions import Fraction
 import pytest
 
 from corollary.formula.value import Exact, Nothing, Real
-from corollary.sandbox.job import FunctionCall
-from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.job import ExecutionResult, FunctionCall
 
 Run = Callable[..., ExecutionResult]
 

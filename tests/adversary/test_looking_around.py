@@ -11,8 +11,7 @@ import pytest
 
 import corollary
 from corollary.formula.value import Exact, Nothing, Text
-from corollary.sandbox.job import Cell, Job
-from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.job import Cell, ExecutionResult, Job
 from corollary.sandbox.runner import Runner
 
 Run = Callable[..., ExecutionResult]

@@ -14,19 +14,31 @@ from corollary.grading.programs.fixed_step import RK4
 from corollary.scenes.integrate.runge_kutta import DOP853
 from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.models.pair import meet
-from corollary.trade import colliding_spheres, references, solvers
-from corollary.trade.contact_phases import through
-from corollary.trade.measures import Order, cheapest, fitted, frontier, lies_beyond, orders, reaching, record
-from corollary.trade.race import Timing, WorkPrecision, cases, race
+from corollary.trade import colliding_spheres, raced_scene, solvers
+from corollary.trade.colliding_spheres import through
+from corollary.trade.race import (
+    Order,
+    Timing,
+    WorkPrecision,
+    cases,
+    cheapest,
+    fitted,
+    frontier,
+    lies_beyond,
+    orders,
+    race,
+    reaching,
+    record,
+)
 from corollary.trade.raced_scene import MethodAnswer, error_of
 
 HERE = Path(__file__).parent
 TABLE = {
-    "ball_on_floor": references.BALL,
-    "atom bound": references.ATOM_BOUND,
-    "atom escaping": references.ATOM_ESCAPING,
-    "spheres eta=0": references.SPHERES,
-    "spheres eta=1": references.SPHERES_DAMPED,
+    "ball_on_floor": raced_scene.BALL,
+    "atom bound": raced_scene.ATOM_BOUND,
+    "atom escaping": raced_scene.ATOM_ESCAPING,
+    "spheres eta=0": raced_scene.SPHERES,
+    "spheres eta=1": raced_scene.SPHERES_DAMPED,
 }
 
 
@@ -46,10 +58,10 @@ def test_references_are_found_again(name):
 
 def test_references_of_cradles_are_those_of_the_other_program():
     known = json.loads((HERE.parent / "scenes" / "references.json").read_text(encoding="utf-8"))
-    assert tuple(known["3 1"]) == references.CRADLE_3_SPRINGS.values
-    assert tuple(known["3 1.5"]) == references.CRADLE_3_HERTZ.values
-    assert tuple(known["3 3"]) == references.CRADLE_3_CUBIC.values
-    assert tuple(known["5 1.5"]) == references.CRADLE_5_HERTZ.values
+    assert tuple(known["3 1"]) == raced_scene.CRADLE_3_SPRINGS.values
+    assert tuple(known["3 1.5"]) == raced_scene.CRADLE_3_HERTZ.values
+    assert tuple(known["3 3"]) == raced_scene.CRADLE_3_CUBIC.values
+    assert tuple(known["5 1.5"]) == raced_scene.CRADLE_5_HERTZ.values
 
 
 @pytest.mark.whole

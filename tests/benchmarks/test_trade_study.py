@@ -12,7 +12,7 @@ import pytest
 from trade.study import composed, contacts, reference_runs, solvers, summary
 from trade.study.measured import FAMILIES, Timed, from_rows
 
-from corollary.trade.references import CRADLE_3_HERTZ, SPHERES_DAMPED
+from corollary.trade.raced_scene import CRADLE_3_HERTZ, SPHERES_DAMPED
 
 pytestmark = pytest.mark.whole
 

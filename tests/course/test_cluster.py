@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from corollary import cluster
-from corollary.cluster import NoCluster
+from corollary import parallel
 from corollary.course.workers import Sent, in_turn, mark_there, on_cluster
 from corollary.grading.submission import state_of
+from corollary.parallel import NoCluster
 
 from .small_class import POINTS, handed_in, order
 
@@ -34,7 +34,7 @@ def test_a_worker_killed_on_the_way_loses_nothing(tmp_path: Path) -> None:
 
 
 def test_nobody_answers(monkeypatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(cluster, "SECONDS_TO_CONNECT", 1)
+    monkeypatch.setattr(parallel, "SECONDS_TO_CONNECT", 1)
     with (
         pytest.raises(NoCluster, match="no Dask scheduler answers"),
         on_cluster("tcp://127.0.0.1:9")(order(tmp_path), []),

@@ -16,8 +16,7 @@ from corollary.course.grade import grade_set
 from corollary.grading.solutions import Solutions
 from corollary.records.files import open_course
 from corollary.records.origin import set_of
-from corollary.sandbox.job import Job, Limits
-from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.job import ExecutionResult, Job, Limits
 from corollary.sandbox.runner import Runner
 
 SET = "---\ntitle: One exercise\nproblems:\n  - X12.5\n---\nOne exercise.\n"

@@ -8,7 +8,7 @@ from textwrap import dedent, indent
 
 import pytest
 
-from corollary.figure.drawing_sheet import PRIMITIVES, SIDES
+from corollary.figure.drawing_sheet import PRIMITIVES, TEXT_SIDES
 from corollary.problem.figure import drawn
 from corollary.problem.reader import read_problem
 from corollary.problem.variant import chapter
@@ -48,7 +48,7 @@ def test_an_example_is_drawn_and_the_words_are_those_it_takes(kind: str, tmp_pat
     assert "<path" in svg or "<circle" in svg or "<text" in svg
     words = set(re.findall(r"`(\w+)=?`", takes))
     assert words - {"small"} >= set(PRIMITIVES[kind].words)
-    assert words <= PRIMITIVES[kind].words | (PRIMITIVES[kind].flags - SIDES)
+    assert words <= PRIMITIVES[kind].words | (PRIMITIVES[kind].flags - TEXT_SIDES)
 
 
 def test_the_first_figure_of_the_page_is_drawn(tmp_path: Path):

@@ -26,8 +26,8 @@ from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
 from corollary.sandbox.file import Unreadable
 from corollary.sandbox.isolation import UNKNOWN
+from corollary.sandbox.job import ExecutionResult
 from corollary.sandbox.notebook_file import Notebook, notebook_of
-from corollary.sandbox.result import ExecutionResult
 from corollary.sandbox.runner import Runner
 from corollary.sandbox.tagged import value_of
 from corollary.sandbox.worker.encode import encode

@@ -17,7 +17,7 @@ from corollary.grading.verdict_text import sentence
 from corollary.messages import language
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
-from corollary.sandbox.result import CallResult
+from corollary.sandbox.job import CallResult
 
 ARGUMENTS, reference = judges("impulse/ball_on_the_floor_program/judge_bounce.py", "ARGUMENTS reference")
 

@@ -14,7 +14,7 @@ from corollary.problem.problem_set import ProblemSet, read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
 from corollary.sandbox.isolation import UNKNOWN
-from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.job import ExecutionResult
 
 ADA = Student("ada")
 

@@ -42,7 +42,7 @@ from corollary.problem.variant import Variant, at, chapter
 from corollary.records.deadlines import Terms
 from corollary.records.files import Course, create_course
 from corollary.records.submissions import settle_time
-from corollary.sandbox.result import CellRun
+from corollary.sandbox.job import CellRun
 
 FILES = {
     "problems/impulse/kick.md": """\

@@ -10,6 +10,7 @@ import math
 import numpy as np
 import pytest
 
+from corollary.problem.csv_table import table_text
 from corollary.records.marks import Row
 from corollary.records.report_model import report
 from corollary.records.statistics import (
@@ -23,7 +24,6 @@ from corollary.records.statistics import (
     statistics_record,
     statistics_rows,
 )
-from corollary.render.spreadsheet import table_text
 
 
 def rows(right: np.ndarray) -> list[Row]:

@@ -13,6 +13,7 @@ import pytest
 
 from corollary.notebook.worksheet import Worksheet, exercise, worksheet
 from corollary.plug_ins import PlugInFault
+from corollary.problem.csv_table import table_text
 from corollary.problem.roster import Student
 from corollary.problem.variant import at, chapter
 from corollary.records.marks_table import Column, Mark, MarksTable, every_column
@@ -25,7 +26,6 @@ from corollary.render.exports import (
     names_for_exercises,
     target,
 )
-from corollary.render.spreadsheet import table_text
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
 

@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from corollary.sandbox.job import Cell, FunctionCall, Job, Limits
-from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.job import Cell, ExecutionResult, FunctionCall, Job, Limits
 from corollary.sandbox.runner import Runner
 
 Run = Callable[..., ExecutionResult]

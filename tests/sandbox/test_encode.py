@@ -19,7 +19,7 @@ from corollary.formula.value import Complex, Exact, Items, Nothing, Real, Refuse
 from corollary.messages import language
 from corollary.sandbox import worker
 from corollary.sandbox.decode import Encoded, to_value
-from corollary.sandbox.refusals import PREDICATES
+from corollary.sandbox.tagged import PREDICATES
 from corollary.sandbox.worker.encode import MOST_ITEMS, encode
 from corollary.units.dimension import Unit
 from corollary.units.unit import read_unit

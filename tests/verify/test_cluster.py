@@ -9,9 +9,9 @@ import pytest
 from click.testing import CliRunner
 from tests.verify.conftest import GOOD, OPENING, PROBLEM
 
-from corollary import cluster
+from corollary import parallel
 from corollary.cli.commands import app
-from corollary.cluster import NoCluster
+from corollary.parallel import NoCluster
 from corollary.problem.bank import Bank, chapter_bank, find
 from corollary.verify.checked import Checked
 from corollary.verify.side_by_side import on_cluster, verify_each, verify_there
@@ -79,7 +79,7 @@ def test_a_worker_with_another_program_verifies_nothing() -> None:
 
 
 def test_nobody_answers(monkeypatch, tmp_path) -> None:
-    monkeypatch.setattr(cluster, "SECONDS_TO_CONNECT", 1)
+    monkeypatch.setattr(parallel, "SECONDS_TO_CONNECT", 1)
     cart(tmp_path)
     done = CliRunner().invoke(
         app, ["verify", "X1.1", "--bank", str(tmp_path), "--anew", "--executor", "tcp://127.0.0.1:9"]

@@ -11,11 +11,11 @@ from corollary.audit.readers.moodle_xml import moodle_records
 from corollary.audit.readers.prairielearn import folder_name, prairielearn_records
 from corollary.audit.readers.qti_items import qti_records
 from corollary.audit.readers.rexams import rexams_records
-from corollary.audit.readers.safe_xml import xml_of
 from corollary.audit.readers.straight_line import MOST_ANSWERS
 from corollary.audit.readers.webwork import webwork_records
 from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven, overridden
 from corollary.audit.record_file import records_in
+from corollary.audit.text_file import xml_of
 from corollary.formula.ast import Expr, Name, Number, Power, Product, Quotient, names, substitute
 from corollary.formula.plain_text import text
 from corollary.formula.syntax import author_formula

@@ -8,8 +8,7 @@ from fractions import Fraction
 
 from corollary.answers.quantity import read_quantity
 from corollary.answers.verdict import Mistaken, Right, Slip, Unread
-from corollary.audit.broken_laws import most_broken
-from corollary.audit.examine import PublishedNumber, cannot_say
+from corollary.audit.examine import PublishedNumber, cannot_say, most_broken
 from corollary.audit.exercise import quantity
 from corollary.audit.outcome import AuditedAnswer
 from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven

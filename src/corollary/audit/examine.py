@@ -1,15 +1,16 @@
-"""One record examined: its exercise solved at its numbers, and each published answer held against every root."""
+"""One record examined: its exercise solved at its numbers, and each published answer held against the laws and what breaks them."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import combinations
 
 from corollary.answers.quantity import Reading, read_quantity
 from corollary.answers.tolerance import last_place
-from corollary.audit.broken_laws import broken_law
-from corollary.audit.contractor import NoContractor
+from corollary.audit.contractor import NoContractor, periodic_arguments
 from corollary.audit.exercise import (
     AdmittedRoot,
     PublishedExercise,
@@ -21,14 +22,127 @@ from corollary.audit.exercise import (
 from corollary.audit.formula_key import formula_in, function_outcome
 from corollary.audit.outcome import AuditedAnswer
 from corollary.audit.record import AskedLetter, ExerciseRecord, ForgivenError
-from corollary.audit.reversed import reversible
 from corollary.derive.roots import NoRoot
-from corollary.formula.ast import Call, Name
+from corollary.formula.ast import Call, Expr, Name, Relation, names
+from corollary.formula.ball import RationalPi, certified
 from corollary.formula.enclosure import Enclosure
-from corollary.formula.errors import ParseError, sentence
-from corollary.formula.rational_pi import RationalPi
-from corollary.units.unit import ONE, PURE, UNITS, Unit
+from corollary.formula.errors import ParseError, Undefined, sentence
+from corollary.formula.syntax import author_formula
+from corollary.units.dimensional_analysis import dimension_of
+from corollary.units.unit import ONE, PURE, UNITS, Dimension, Unit, si_unit
 from corollary.verify.printed import ABOUT, EXACTLY, HALF_AN_ORDER, Agreement, as_printed
+
+FIGURES = 4  # of the sides; more where these are the same
+ROUNDING = 1e-9  # relative: sides so near are the same
+
+
+@dataclass(frozen=True, slots=True)
+class BrokenLaw:
+    """A law by its name, and its two sides as they come out."""
+
+    law: str
+    written: tuple[str, str]
+
+
+def broken_law(
+    exercise: PublishedExercise, root: AdmittedRoot, letter: str, published: RationalPi
+) -> BrokenLaw | None:
+    """The law that breaks, with the published answer for a letter and all else as derived."""
+    values = {name: RationalPi(Fraction(value)) for name, value in root.values.items()} | exercise.numbers
+    relations = [(law.name, author_formula(law.formula)) for law in exercise.record.laws]
+    return most_broken(
+        relations, letter, values | {letter: published}, exercise.dimensions, exercise.unknowns
+    )
+
+
+def most_broken(
+    relations: Iterable[tuple[str, Expr]],
+    letter: str,
+    values: Mapping[str, RationalPi],
+    dimensions: Mapping[str, Dimension],
+    unknowns: Collection[str],
+) -> BrokenLaw | None:
+    """Of the relations that a letter breaks the one with the fewest other unknowns, which decides it most nearly; of several
+    such the one whose sides differ most, as a share of them. None where none is broken."""
+    known = {name for name in values if name not in unknowns}
+    best: tuple[int, float] | None = None
+    found = None
+    for law, relation in relations:
+        if not isinstance(relation, Relation) or letter not in names(relation):
+            continue
+        try:
+            left, right = (certified(side, values).value for side in (relation.left, relation.right))
+        except (Undefined, KeyError):
+            continue
+        size = max(abs(left), abs(right))
+        share = abs(left - right) / size if size else 0.0
+        rank = (len(names(relation) - known), -share)
+        if share > ROUNDING and (best is None or rank < best):
+            best, unit = rank, _unit(relation, dimensions)
+            found = BrokenLaw(law, _written(left, right, unit))
+    return found
+
+
+def _written(left: float, right: float, unit: Unit | None) -> tuple[str, str]:
+    one, other = quantities_apart((left, right), unit, FIGURES)
+    return one, other
+
+
+def _unit(relation: Relation, dimensions: Mapping[str, Dimension]) -> Unit | None:
+    if not names(relation) <= {*dimensions, "pi"}:
+        return None
+    measured = dimension_of(relation, dimensions)
+    return None if isinstance(measured, ParseError) else si_unit(measured)
+
+
+UNDIRECTED = tuple(UNITS[each].dimension for each in ("kg", "s", "K", "mol", "ohm", "F", "H"))
+MOST_TURNED = 10  # letters: of more it is not tried which are turned round together
+SAME = 1e-9  # relative
+
+
+def reversible(exercise: PublishedExercise, root: AdmittedRoot, letter: str) -> bool:
+    """Whether a letter's sign is a matter of direction: with the opposite one the laws hold, some others being turned round, too.
+
+    `s = abs(v)` has no minus, whichever direction is positive.
+    """
+    directed = _directed(exercise)
+    if letter not in directed:
+        return False
+    others = sorted(directed & root.values.keys() - {letter})
+    if len(others) > MOST_TURNED:
+        return True
+    values = {name: RationalPi(Fraction(value)) for name, value in root.values.items()} | exercise.numbers
+    for count in range(len(others) + 1):
+        for turned in combinations(others, count):
+            opposite = {name: RationalPi(-values[name].ratio, values[name].pi) for name in (letter, *turned)}
+            if all(_holds(each, values | opposite) for each in exercise.equations):
+                return True
+    return False
+
+
+def _directed(exercise: PublishedExercise) -> set[str]:
+    """The letters that may have a direction: no mass, time, temperature or resistance, and of plain numbers the angles alone."""
+    angles = {name for name, given in exercise.givens.items() if given.unit.pi}
+    angles |= {each.letter for each in exercise.record.asked if each.unit is not None and each.unit.pi}
+    for equation in exercise.equations:
+        for argument in periodic_arguments(equation, [*exercise.unknowns, *exercise.givens]):
+            angles |= names(argument)
+    dimensions = {name: given.unit.dimension for name, given in exercise.givens.items()}
+    dimensions |= dict(exercise.dimensions)
+    return {
+        name
+        for name, dimension in dimensions.items()
+        if dimension not in UNDIRECTED and (dimension != ONE or name in angles)
+    }
+
+
+def _holds(equation: Relation, values: Mapping[str, RationalPi]) -> bool:
+    try:
+        left, right = (certified(side, values).value for side in (equation.left, equation.right))
+    except (Undefined, KeyError):
+        return False
+    return abs(left - right) <= SAME * max(abs(left), abs(right))
+
 
 MORE_FIGURES = 2  # than the published number has, in what is shown beside it
 LEAST_FIGURES, MOST_FIGURES = 4, 12

@@ -71,7 +71,7 @@ RAISED = {
     "corollary.records.editions": ["NotSettled"],
     "corollary.render.exports": ["UnknownTarget"],
     "corollary.render.paper.typst": ["CannotTypeset"],
-    "corollary.cluster": ["NoCluster"],
+    "corollary.parallel": ["NoCluster"],
     "corollary.course.grade": ["NotGenerated"],
     "corollary.course.lms_places": ["NoPlaces"],
     "corollary.course.release": ["NoSheets"],

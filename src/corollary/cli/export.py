@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Unpack
 
+from corollary.atomic import write_files
 from corollary.cli import export_questions
 from corollary.cli.ending import HOLDS, answer, counted, refuse, say
 from corollary.cli.export_options import (
@@ -28,7 +29,6 @@ from corollary.course.export import (
     sheet_files,
     sheets_for,
     sheets_of_course,
-    write_files,
 )
 from corollary.grading.solutions import Solutions
 from corollary.messages import few

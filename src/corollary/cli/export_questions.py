@@ -7,12 +7,12 @@ from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
 
+from corollary.atomic import write_files
 from corollary.cli.ending import HOLDS, answer, say
 from corollary.cli.export_options import USUAL_FOLDER, ExportOptions
 from corollary.cli.left_out import course_around
 from corollary.cli.open_sets import course_in
 from corollary.cli.terminal import console
-from corollary.course.export import write_files
 from corollary.course.item_export import Exported, export_items
 from corollary.messages import few
 from corollary.records.files import Course, NotACourse, open_course

@@ -6,8 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from corollary.api import UnknownPart, judge, solve
-from corollary.cli.chosen_variant import chosen_problem, read_cases
+from corollary.cli.chosen_variant import chosen_problem
 from corollary.cli.ending import HOLDS, answer, unforeseen
+from corollary.cli.given_values import read_cases
 from corollary.derive.solution import Solution
 from corollary.formula.ball import Undefined
 from corollary.grading.mark_record import grade_record

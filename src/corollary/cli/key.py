@@ -6,8 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from corollary.api import solve, variant
-from corollary.cli.chosen_variant import chosen_problem, chosen_variant, from_options, read_cases
+from corollary.cli.chosen_variant import chosen_problem, chosen_variant
 from corollary.cli.ending import HOLDS, answer, refuse, unforeseen
+from corollary.cli.given_values import from_options, read_cases
 from corollary.derive.solution import Solution
 from corollary.formula.ast import Name
 from corollary.grading.key_record import decimal, key_record

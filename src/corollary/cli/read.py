@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from corollary.answers.read_case import BadCase, read_case
-from corollary.cli.chosen_variant import read_cases
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse
+from corollary.cli.given_values import read_cases
 
 
 def run(

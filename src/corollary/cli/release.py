@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from corollary.atomic import write_files
 from corollary.cli.ending import FAILS, HOLDS, answer, say
 from corollary.cli.told_dates import warn_of_dates
-from corollary.course.export import write_files
 from corollary.course.release import release, sheets_of
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course, open_course

@@ -34,8 +34,8 @@ def run(
     found = up_to_date(opened, problem_set)
     estimates = _statistics(opened, problem_set, place, found) if statistics or csv is not None else None
     if estimates is not None and csv is not None:
+        from corollary.problem.csv_table import table_text
         from corollary.records.statistics import statistics_rows
-        from corollary.render.spreadsheet import table_text
 
         csv.write_text(table_text(statistics_rows(estimates)), encoding="utf-8")
         say(f"written to {csv}")

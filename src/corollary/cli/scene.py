@@ -6,8 +6,8 @@ import time
 from pathlib import Path
 from typing import Any
 
-from corollary.cli.chosen_variant import from_options
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
+from corollary.cli.given_values import from_options
 from corollary.derive.ready_scenes import definition, play, ready_scenes
 from corollary.grading.from_json import finite
 from corollary.problem.bank import Bank, open_bank

@@ -10,9 +10,19 @@ from typing import Any
 
 from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.cli.terminal import steps
-from corollary.trade.measures import WANTED, label, lies_beyond, orders, reaching, record
 from corollary.trade.methods import METHODS
-from corollary.trade.race import Timing, WorkPrecision, cases, race
+from corollary.trade.race import (
+    WANTED,
+    Timing,
+    WorkPrecision,
+    cases,
+    label,
+    lies_beyond,
+    orders,
+    race,
+    reaching,
+    record,
+)
 from corollary.trade.raced_scene import RacedScene
 
 NAMESPACE = '<svg xmlns="http://www.w3.org/2000/svg" '

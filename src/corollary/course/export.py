@@ -11,7 +11,6 @@ from itertools import product
 from pathlib import Path
 from typing import Literal, TypeVar
 
-from corollary.atomic import write_each_whole
 from corollary.course.lms_places import NoPlaces, packed, places
 from corollary.course.up_to_date import up_to_date
 from corollary.grading.solutions import Solutions
@@ -95,13 +94,6 @@ def sheet_files(
 
 def _worked(solutions: Solutions, sheet: Worksheet) -> dict[str, str]:
     return {each.problem.code: solutions.worked_solution(each.variant) for each in sheet.exercises}
-
-
-def write_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
-    """Writes them below the folder, and says where they are."""
-    placed = {folder / name: content for name, content in files.items()}
-    write_each_whole(placed)
-    return list(placed)
 
 
 def owners(count: int) -> Iterable[Student]:

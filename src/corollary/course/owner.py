@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 
 from corollary.grading.integrity import elsewhere, notes
-from corollary.notebook.sheet_origin import origin
+from corollary.notebook.locate import origin
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student

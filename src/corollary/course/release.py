@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from corollary.course.lms_places import packed, places
+from corollary.problem.csv_table import table_text
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.files import Course, students
 from corollary.records.lms_names import file_words
-from corollary.render.spreadsheet import table_text
 from corollary.render.targets.feedback_zip import write_archive
 
 UNKNOWN = {

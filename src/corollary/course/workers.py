@@ -14,12 +14,11 @@ from itertools import islice
 from threading import Lock
 from typing import TYPE_CHECKING, Any
 
-from corollary.cluster import NoCluster, connect, worker_count
 from corollary.grading.submission import GradingContext, Submission, state_of
 from corollary.guard import ends_after
 from corollary.messages import speak
 from corollary.nbgrader.graded import GradedSubmission, grade_submission, not_graded
-from corollary.parallel import ProcessDied, Workers, cores
+from corollary.parallel import NoCluster, ProcessDied, Workers, connect, cores, worker_count
 from corollary.sandbox.folders import remove_abandoned
 from corollary.sandbox.runner import Runner
 

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 from corollary.messages import catalogue
 from corollary.notebook.cells import as_handed_out
-from corollary.notebook.locate import cells_by_id
+from corollary.notebook.locate import cells_by_id, is_of, origin, other_numbers
 from corollary.notebook.notebook import notebook as handed_out
-from corollary.notebook.sheet_origin import is_of, origin, other_numbers
 from corollary.notebook.worksheet import Worksheet
 
 if TYPE_CHECKING:

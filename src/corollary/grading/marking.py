@@ -30,9 +30,8 @@ from corollary.notebook.unbound import one_line, unquoted
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.sandbox.file import Unreadable
-from corollary.sandbox.job import Cell, Job
+from corollary.sandbox.job import Cell, CellRun, ExecutionResult, Job
 from corollary.sandbox.notebook_file import Notebook
-from corollary.sandbox.result import CellRun, ExecutionResult
 from corollary.sandbox.runner import Runner
 
 _ = catalogue(__name__)

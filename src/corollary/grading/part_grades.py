@@ -8,7 +8,7 @@ from corollary.answers.verdict import Unmarked, Verdict
 from corollary.problem.part import Part
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant
-from corollary.sandbox.result import CellRun, Figure
+from corollary.sandbox.job import CellRun, Figure
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from corollary.sandbox.result import CallResult, Figure
+from corollary.sandbox.job import CallResult, Figure
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,7 +23,7 @@ from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.render.wording import look
-from corollary.sandbox.result import CellRun
+from corollary.sandbox.job import CellRun
 
 _ = catalogue(__name__)
 NOBODY = Student("")

@@ -16,7 +16,7 @@ from nbgrader.plugins.zipcollect import ExtractorPlugin, FileNameCollectorPlugin
 
 from corollary.atomic import write_whole
 from corollary.guard import Failure, guarded
-from corollary.notebook.sheet_origin import origin
+from corollary.notebook.locate import origin
 from corollary.records.files import open_course, students
 from corollary.records.lms_names import Directory, again, file_words, lms_name
 from corollary.records.submissions import writable

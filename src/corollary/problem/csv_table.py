@@ -1,11 +1,12 @@
-"""Tables from CSV files, whose cells know their row and column."""
+"""Tables of CSV files, read by cells that know their row and column, and written so that no cell is taken for a formula."""
 
 from __future__ import annotations
 
 import csv
 import io
+import re
 from collections import Counter
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -218,3 +219,19 @@ def _cell(text: str, start: int, end: int) -> TableCell:
     raw = text[start:end]
     quoted = len(raw) > 1 and raw.startswith('"') and raw.endswith('"')
     return TableCell((raw[1:-1].replace('""', '"') if quoted else raw).strip(), start, end, quoted)
+
+
+# What Excel, LibreOffice and Google's tables calculate; a number with a sign, and a dash, are none.
+FORMULA = re.compile(r"\s*[=@]|[\t\r]|\s*[+-](?!$|\d+(?:[.,]\d+)?$)")
+
+
+def table_text(rows: Iterable[Sequence[str]]) -> str:
+    """The text of a file. A name such as `=HYPERLINK(…)` gets an apostrophe in front, by which spreadsheets take it as text."""
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerows([_harmless(cell) for cell in row] for row in rows)
+    return text.getvalue()
+
+
+def _harmless(cell: str) -> str:
+    return f"'{cell}" if FORMULA.match(cell) else cell

@@ -27,7 +27,7 @@ from corollary.records.marks import PartRecord, Record
 from corollary.render.markdown import html, inline
 from corollary.render.page import drawing, page
 from corollary.render.wording import BLANK, BY_HAND, LOOKS, Look, earned, spell
-from corollary.sandbox.result import CellRun, Figure
+from corollary.sandbox.job import CellRun, Figure
 
 _ = catalogue(__name__)
 

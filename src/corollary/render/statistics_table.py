@@ -10,12 +10,11 @@ from rich.table import Table
 from rich.text import Text
 
 from corollary.messages import visible
-from corollary.records.statistics import SetStatistics
-from corollary.records.unlisted import SharedRule
 from corollary.render.wording import percent
 
-if TYPE_CHECKING:
-    from corollary.records.statistics import Estimate, FeatureEffect
+if TYPE_CHECKING:  # a report without statistics is written without numpy
+    from corollary.records.statistics import Estimate, FeatureEffect, SetStatistics
+    from corollary.records.unlisted import SharedRule
 
 TOO_FEW = "Too few answers to tell whether the numbers drawn made a difference."
 EFFECTS = "Numbers drawn: effect on the odds, in logits for a standard deviation"

@@ -7,8 +7,7 @@ from typing import Annotated
 import msgspec
 
 from corollary.formula.value import Value
-from corollary.sandbox.refusals import refused
-from corollary.sandbox.tagged import value_of
+from corollary.sandbox.tagged import refused, value_of
 
 _Hex = Annotated[str, msgspec.Meta(min_length=1, max_length=25_002, pattern=r"^-?[0-9a-f]+$")]
 _Words = Annotated[str, msgspec.Meta(max_length=10_000)]

@@ -1,8 +1,14 @@
-"""The job of one notebook: cells to run, answers to bring back, functions to call, and limits of use."""
+"""The job of one notebook, and its result: cells, answers as inert data, figures as lines and labels, and errors."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated, Literal
+
+import msgspec
+
+from corollary.formula.value import Value
+from corollary.sandbox.isolation import Isolation
 
 Argument = float | int | tuple[float, ...] | str
 
@@ -54,3 +60,81 @@ class Limits:
     memory_bytes: int = 1 << 30
     output_bytes: int = 1 << 20
     file_bytes: int = 16 << 20
+
+
+Status = Literal["ok", "error", "timeout", "not run"]
+
+# What a worker describes at most (worker/figures.py): a frame with more is forged.
+_Points = Annotated[tuple[float, ...], msgspec.Meta(max_length=5_000)]
+_Words = Annotated[str, msgspec.Meta(max_length=500)]
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnLine:
+    """One curve, cloud of points or row of bars: `x` and `y` are equally long, in data coordinates."""
+
+    x: _Points
+    y: _Points
+    label: _Words
+    kind: Literal["line", "points", "bars"]
+
+
+@dataclass(frozen=True, slots=True)
+class Axes:
+    """One pair of axes as drawn: the labels as typed, the limits, the scales ("linear", "log"…), the legend's entries."""
+
+    title: _Words
+    xlabel: _Words
+    ylabel: _Words
+    xlim: tuple[float, float]
+    ylim: tuple[float, float]
+    xscale: _Words
+    yscale: _Words
+    legend: Annotated[tuple[_Words, ...], msgspec.Meta(max_length=60)]
+    lines: Annotated[tuple[DrawnLine, ...], msgspec.Meta(max_length=60)]
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """A figure shown by the cell with id `cell`; `png` is None when no picture was wanted or none could be drawn."""
+
+    cell: str
+    axes: tuple[Axes, ...]
+    png: bytes | None
+
+
+@dataclass(frozen=True, slots=True)
+class CellRun:
+    """How one cell ended: its outputs as nbformat 4 dicts, and its error in one line ("" when there is none)."""
+
+    id: str
+    status: Status
+    outputs: tuple[dict[str, object], ...]
+    seconds: float
+    error: str
+
+
+@dataclass(frozen=True, slots=True)
+class CallResult:
+    """What a called function returned and printed; `trouble` is "" or a sentence on why there is no value."""
+
+    value: Value
+    output: str
+    trouble: str
+
+
+@dataclass(frozen=True, slots=True)
+class ExecutionResult:
+    """What came back of one job; `trouble` is "" or one sentence on what ended it early.
+
+    With `machine_failed` the notebook was not run to its end for no reason of its own (no room on the disk, a process that
+    could not be started or was killed from outside): nothing may be concluded from what is missing.
+    """
+
+    cells: tuple[CellRun, ...]
+    values: dict[str, Value]
+    calls: dict[str, CallResult]
+    figures: tuple[Figure, ...]
+    isolation: Isolation
+    trouble: str
+    machine_failed: bool = False

@@ -11,7 +11,7 @@ from typing import Annotated, Generic, Literal, TypeVar, final
 import msgspec
 
 from corollary.sandbox.decode import Encoded
-from corollary.sandbox.result import Axes
+from corollary.sandbox.job import Axes
 
 MOST_FRAME = 4 << 20
 MOST_BYTES = 48 << 20  # of one notebook: 2 000 cells with their outputs and 40 pictures fit easily

@@ -1,4 +1,4 @@
-"""Tagged data, as `worker/encode.py` gives it, made into plain values; whoever got it from elsewhere has it checked first."""
+"""Tagged data, as `worker/encode.py` gives it, made into plain values, and reasons why no answer can be read from one."""
 
 from __future__ import annotations
 
@@ -15,15 +15,59 @@ from corollary.formula.value import (
     Named,
     Nothing,
     Real,
+    Refused,
     Text,
     Value,
 )
-from corollary.sandbox.refusals import refused
+from corollary.messages import N_, catalogue
+from corollary.sandbox.worker.encode import DEEPEST, MOST_ITEMS
 
-DEEPEST = 20  # an honest worker refuses what is nested deeper than 12 lists
+_ = catalogue(__name__)
+
+# Predicates, as `is a set`; `{what}` is the worker's, a number or the name of a class.
+PREDICATES = {
+    "bool": N_("is True or False, not a number"),
+    "dict": N_("is a dictionary whose keys are not names: give the number itself"),
+    "set": N_("is a set, which has no order: give a list"),
+    "generator": N_("is a generator: turn it into a list first"),
+    "range": N_("is a range: turn it into a list first"),
+    "map": N_("is a map: turn it into a list first"),
+    "zip": N_("is a zip: turn it into a list first"),
+    "function": N_("is a function: call it, and give what it returns"),
+    "class": N_("is a class, not a value"),
+    "module": N_("is a module, not a value"),
+    "bytes": N_("is bytes: give a number or text"),
+    "figure": N_("is a figure: the plot itself is looked at, no variable is needed"),
+    "object": N_("is an object of the kind {what}, from which no answer can be read"),
+    "raised": N_("could not be read: looking at it raised {what}"),
+    "items": N_("has more than {most} items"),
+    "depth": N_("is nested deeper than {deepest} lists"),
+    "fraction": N_("is a fraction whose parts are not whole numbers"),
+    "digits": N_("is a whole number of about {what} digits"),
+    "letters": N_("is a text of {what} letters"),
+    "numbers": N_("is an array of {what} numbers, more than {most}"),
+    "no numbers": N_("is an array of {what}, not of numbers"),
+    "sympy": N_("is a {what} of sympy, not an expression"),
+    "size": N_("is too large to be brought back"),
+    # What no honest worker sends.
+    "nesting": N_("is nested too deeply"),
+    "denominator": N_("is a fraction with denominator zero"),
+    "shape": N_("is an array whose shape does not fit its numbers"),
+    "names": N_("is a dictionary whose names do not fit its values"),
+    "unknown": N_("could not be read"),
+}
 
 
-def value_of(tagged: Sequence[Any], depth: int = DEEPEST) -> Value:
+def refused(word: str, what: str = "", excerpt: str = "") -> Refused:
+    """The value refused in a sentence; a word that nobody agreed on says no more than that it could not be read."""
+    predicate = PREDICATES.get(word, PREDICATES["unknown"])
+    return Refused(_(predicate, what=what, most=MOST_ITEMS, deepest=DEEPEST), excerpt)
+
+
+DEEPEST_TAGGED = 20  # an honest worker refuses what is nested deeper than 12 lists
+
+
+def value_of(tagged: Sequence[Any], depth: int = DEEPEST_TAGGED) -> Value:
     """The value itself; what contradicts itself (a zero denominator, a shape of other length) is refused."""
     if depth < 0:
         return refused("nesting")

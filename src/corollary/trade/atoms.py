@@ -5,8 +5,16 @@ from __future__ import annotations
 import math
 
 from corollary.derive.ready_scenes import run
-from corollary.trade.raced_scene import ONCE, MethodAnswer, MethodRoute, RacedScene, State, StepProgram
-from corollary.trade.references import ATOM_BOUND, ATOM_ESCAPING
+from corollary.trade.raced_scene import (
+    ATOM_BOUND,
+    ATOM_ESCAPING,
+    ONCE,
+    MethodAnswer,
+    MethodRoute,
+    RacedScene,
+    State,
+    StepProgram,
+)
 
 PULL, BOTTOM, EDGE = 50.0, 1.0, 1.4
 SLOW, FAST = 3.0, 5.0

@@ -1,15 +1,21 @@
-"""Two spheres in a plane to race on (section 12.6): the chapter's glancing hit, without damping and with it."""
+"""Two spheres in a plane to race on (section 12.6): the glancing hit, with damping and without, also in equal steps of an angle.
+
+The contact runs from phase 0 to pi whatever the damping, as long as it ends; the force is smooth there at both ends.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from functools import partial
 
 from corollary.formula.ball import Ball
 from corollary.grading.programs.fixed_step import RK4
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.integrate.runge_kutta import DOP853, Tableau
-from corollary.scenes.integrate.single_contact import follow
+from corollary.scenes.integrate import contact_motion
+from corollary.scenes.integrate.contact_motion import SIZE, SPIN, TIME, TURN, P, W
+from corollary.scenes.integrate.runge_kutta import DOP853, Tableau, step
+from corollary.scenes.integrate.single_contact import follow, groups_of
 from corollary.scenes.models.certain import double_of
 from corollary.scenes.models.pair import (
     Pair,
@@ -20,9 +26,10 @@ from corollary.scenes.models.pair import (
     turned_and_lasted,
 )
 from corollary.scenes.models.two_bodies import contact_time
-from corollary.trade.contact_phases import through
 from corollary.trade.raced_scene import (
     ONCE,
+    SPHERES,
+    SPHERES_DAMPED,
     TOLERANCES,
     MethodAnswer,
     MethodRoute,
@@ -31,7 +38,39 @@ from corollary.trade.raced_scene import (
     State,
     StepProgram,
 )
-from corollary.trade.references import SPHERES, SPHERES_DAMPED
+
+
+def through(pair: Pair, met: Touching, table: Tableau, steps: int) -> Parting:
+    """The contact in a number of equal steps of any method; it begins at zero overlap, and its damping lets it end."""
+    groups, depth, speed = groups_of(pair, met)
+    spent = 0
+
+    def slope(phase: float, state: Sequence[float]) -> list[float]:
+        nonlocal spent
+        spent += 1
+        rho, share, time, turn = state
+        w, rate = rho * math.sin(phase), rho * math.cos(phase)
+        rates = [0.0] * SIZE
+        contact_motion.slope([w, rate, share, time, turn], rates, groups, False)  # pyright: ignore[reportUnknownMemberType]
+        ahead = (rate * rates[W] - w * rates[P]) / (rho * rho)
+        grown = (w * rates[W] + rate * rates[P]) / rho
+        return [grown / ahead, rates[SPIN] / ahead, rates[TIME] / ahead, rates[TURN] / ahead]
+
+    state, h = [met.inward / speed, 1.0, 0.0, 0.0], math.pi / steps
+    for i in range(steps):
+        state, _ = step(table, slope, i * h, state, h, slope(i * h, state))
+    rho, share, time, turn = state
+    return Parting(
+        turned=turn,
+        outward=rho * speed,
+        spin=share * met.spin,
+        duration=time * depth / speed,
+        overlap=depth,
+        force=math.nan,
+        sticks=False,
+        evaluations=spent,
+    )
+
 
 MASS, REACH, STIFFNESS = 0.1, 0.04, 2e4
 START = (0.08, 0.018)

@@ -9,6 +9,10 @@ from corollary.scenes.integrate import regularised
 from corollary.scenes.models.two_bodies import contact_time
 from corollary.scenes.row import RowOfBodies, RowResult
 from corollary.trade.raced_scene import (
+    CRADLE_3_CUBIC,
+    CRADLE_3_HERTZ,
+    CRADLE_3_SPRINGS,
+    CRADLE_5_HERTZ,
     TOLERANCES,
     MethodAnswer,
     MethodRoute,
@@ -17,7 +21,6 @@ from corollary.trade.raced_scene import (
     State,
     StepProgram,
 )
-from corollary.trade.references import CRADLE_3_CUBIC, CRADLE_3_HERTZ, CRADLE_3_SPRINGS, CRADLE_5_HERTZ
 
 MASS, STIFFNESS, SPEED = 0.1, 1e4, 1.0
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from corollary.derive.ready_scenes import run
 from corollary.scenes.models.two_bodies import contact_time
-from corollary.trade.raced_scene import ONCE, MethodAnswer, MethodRoute, RacedScene, State, StepProgram
-from corollary.trade.references import BALL
+from corollary.trade.raced_scene import BALL, ONCE, MethodAnswer, MethodRoute, RacedScene, State, StepProgram
 
 MASS, STIFFNESS, RADIUS, WEIGHT = 0.1, 1e6, 0.02, 9.8
 HEIGHT, SPEED, UNTIL = 0.021, -2.8, 5.5e-3

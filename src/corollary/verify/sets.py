@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from corollary.problem.problem import Problem
-from corollary.problem.problem_set import ProblemSet
-from corollary.problem.set_problems import Pool
+from corollary.problem.problem_set import Pool, ProblemSet
 
 
 @dataclass(frozen=True, slots=True)

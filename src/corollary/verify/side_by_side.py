@@ -17,10 +17,9 @@ from threading import Lock
 from typing import Any
 
 from corollary import plug_ins, user_cache
-from corollary.cluster import NoCluster, connect
 from corollary.derive.load import NotDerivable, source
 from corollary.messages import speak, spoken
-from corollary.parallel import ProcessDied, Workers, cores
+from corollary.parallel import NoCluster, ProcessDied, Workers, connect, cores
 from corollary.problem.bank import Bank
 from corollary.problem.packed_pictures import packed_file, unused
 from corollary.problem.problem import Problem

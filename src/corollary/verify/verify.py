@@ -19,16 +19,14 @@ from corollary.problem.variant import at, chapter, size
 from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked, Tally
 from corollary.verify.expected_answers import check_claims, check_expected, check_samples
-from corollary.verify.laws import check_cases, check_dimensions, check_laws
+from corollary.verify.laws import check_cases, check_dimensions, check_laws, check_obligations
 from corollary.verify.mutation.score import DRAWS, Played, score
-from corollary.verify.obligations.settle import check_obligations
 from corollary.verify.printed import check_printed
 from corollary.verify.program_checks import check_programs
 from corollary.verify.question_text import check_options, check_question
 from corollary.verify.remarks import check_hidden_mistakes, remark
-from corollary.verify.translations import check_translations
 from corollary.verify.walk import LEAST, Walked, check_scenes, walk
-from corollary.verify.words.check_words import check_solution_words, check_words, unread
+from corollary.verify.words.check_words import check_solution_words, check_translations, check_words, unread
 
 SLOW = ("laws put back", "obligations", "variants", "scenes", "bent laws", "programs")
 """The stages that take most of the time, in their order."""

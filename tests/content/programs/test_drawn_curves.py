@@ -7,7 +7,7 @@ from tests.judges import judges
 
 from corollary.derive.statements import Fault
 from corollary.grading.programs.convergence import Called
-from corollary.sandbox.result import Axes, DrawnLine
+from corollary.sandbox.job import Axes, DrawnLine
 
 (judge_bounce_plot,) = judges("impulse/ball_on_the_floor_program/judge_bounce_plot.py", "judge_bounce_plot")
 (judge_orbit_plot,) = judges("projects/catching_an_atom/judge_orbit_plot.py", "judge_orbit_plot")

@@ -12,7 +12,7 @@ from corollary.grading.programs.judge_programs import asks, inputs_of, judge_cod
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.variant import chapter
-from corollary.sandbox.result import CallResult
+from corollary.sandbox.job import CallResult
 
 BANK = chapter_bank()
 PROGRAMS = [

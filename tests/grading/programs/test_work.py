@@ -14,7 +14,7 @@ from corollary.grading.programs.judge_programs import judge_plot
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
-from corollary.sandbox.result import Axes, DrawnLine, Figure
+from corollary.sandbox.job import Axes, DrawnLine, Figure
 
 POINTS = 5_000  # the most that a frame may bring
 

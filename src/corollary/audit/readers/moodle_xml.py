@@ -8,9 +8,9 @@ from pathlib import Path
 from xml.etree.ElementTree import Element
 
 from corollary.audit.forgiven import forgiven_absolutely
-from corollary.audit.readers.safe_xml import words_of, xml_of
 from corollary.audit.readers.straight_line import NotRead, StraightLine, unrounded
 from corollary.audit.record import MOST_RECORDS, ExerciseRecord, ForgivenError
+from corollary.audit.text_file import words_of, xml_of
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 WILDCARD = re.compile(r"\{([A-Za-z]\w*)\}")

@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import Literal
 
 from corollary.audit.readers.python_names import DRAWN, PythonNames, names_of
-from corollary.audit.readers.safe_xml import words_of
 from corollary.audit.readers.straight_line import (
     MOST_ANSWERS,
     MOST_NODES,
@@ -26,7 +25,7 @@ from corollary.audit.readers.straight_line import (
     known_unit,
 )
 from corollary.audit.record import ExerciseRecord
-from corollary.audit.text_file import LARGEST_PROGRAM, text_of
+from corollary.audit.text_file import LARGEST_PROGRAM, text_of, words_of
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 NAME = re.compile(r"/?[A-Za-z][^\s/>]*")

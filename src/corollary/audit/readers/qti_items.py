@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from xml.etree.ElementTree import Element, tostring
 
-from corollary.audit.readers.safe_xml import local, words_of, xml_of
 from corollary.audit.readers.straight_line import NotRead, PublishedFormula, StraightLine
 from corollary.audit.record import MOST_RECORDS, ExerciseRecord
+from corollary.audit.text_file import local, words_of, xml_of
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 OPERATORS = {"sum": "+", "subtract": "-", "product": "*", "divide": "/", "power": "^"}

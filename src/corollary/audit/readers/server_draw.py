@@ -11,8 +11,7 @@ from typing import Self, final
 
 from corollary.audit.text_file import text_of
 from corollary.formula.value import Items, Text, Value
-from corollary.sandbox.job import Cell, FunctionCall, Job, Limits
-from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.job import Cell, ExecutionResult, FunctionCall, Job, Limits
 from corollary.sandbox.runner import Runner
 
 SECONDS = 5.0  # for one seed

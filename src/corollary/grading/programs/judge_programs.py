@@ -23,8 +23,7 @@ from corollary.problem.bank import bank_of
 from corollary.problem.part import Part
 from corollary.problem.sampling import digest
 from corollary.problem.variant import Variant
-from corollary.sandbox.job import Argument, FunctionCall
-from corollary.sandbox.result import Figure
+from corollary.sandbox.job import Argument, Figure, FunctionCall
 from corollary.units.unit import unit
 
 _ = catalogue(__name__)

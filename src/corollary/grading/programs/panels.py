@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from corollary.derive.statements import Doubt, Fault
 from corollary.grading.programs.curves import Asked, DrawnCurve, HasMiddle, curves
 from corollary.messages import catalogue
-from corollary.sandbox.result import Axes
+from corollary.sandbox.job import Axes
 from corollary.units.dimension import Dimension, Unit
 from corollary.units.unit import read_unit
 

@@ -7,11 +7,11 @@ from collections import Counter
 from collections.abc import Iterator
 
 from corollary.messages import few
+from corollary.problem.csv_table import table_text
 from corollary.problem.roster import Student
 from corollary.records.lms_names import CANVAS_IDS, canvas_ids
 from corollary.records.marks_table import MarksTable
 from corollary.render.exports import MarksText, Target
-from corollary.render.spreadsheet import table_text
 
 # Columns of Canvas's own, by any of these words anywhere in a title.
 NO_ASSIGNMENT = re.compile("(Current|Final) (Score|Points|Grade)|Override (Score|Grade|Status)")

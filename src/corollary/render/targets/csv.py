@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from corollary.problem.csv_table import table_text
 from corollary.problem.roster import COLUMNS
 from corollary.records.marks_table import MarksTable
 from corollary.render.exports import Target
-from corollary.render.spreadsheet import table_text
 
 
 def write_marks(table: MarksTable) -> str:

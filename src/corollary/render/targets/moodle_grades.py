@@ -8,11 +8,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from corollary.messages import few
+from corollary.problem.csv_table import table_text
 from corollary.problem.roster import EMAILS, ID_NUMBERS, USERNAMES, Student, folder_name
 from corollary.records.lms_names import canvas_ids
 from corollary.records.marks_table import MarksTable
 from corollary.render.exports import MarksText, Target
-from corollary.render.spreadsheet import table_text
 
 EMAIL, OURS = "Email address", "id"
 MOST = 100  # `gradepointmax`, which counts where `unlimitedgrades` is on only

@@ -17,7 +17,7 @@ _NAME = type.__dict__["__name__"].__get__
 _MODULE = type.__dict__["__module__"].__get__
 _ANCESTORS = type.__dict__["__mro__"].__get__
 
-# The word for each kind that has one; the sentences are in sandbox/refusals.py.
+# The word for each kind that has one; the sentences are in sandbox/tagged.py.
 _KINDS = {
     name: name
     for name in ("bool", "dict", "set", "generator", "range", "map", "zip", "function", "module", "bytes")

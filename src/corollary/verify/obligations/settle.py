@@ -1,24 +1,21 @@
-"""Obligations settled: by points that break them, by algebra, by subdivision, by z3, or not at all; counter-examples are complaints."""
+"""Obligations settled: by points that break them, by algebra, by subdivision, by z3, or not at all."""
 
-# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
-from corollary.derive.put_back import PutBack
 from corollary.derive.solution import Solution
 from corollary.formula.ast import Expr, Relation, opposite
 from corollary.formula.plain_text import text
 from corollary.formula.rational_pi import RationalPi
-from corollary.problem.bank import Bank
 from corollary.problem.sampling import sample
 from corollary.problem.variant import Variant, number
-from corollary.verify.checked import Tally
 from corollary.verify.obligations.algebra import Algebra
 from corollary.verify.obligations.box import Box
 from corollary.verify.obligations.claims import (
@@ -28,7 +25,6 @@ from corollary.verify.obligations.claims import (
     differing,
     existing,
     laws_hold,
-    laws_of,
     needed,
     not_created,
     not_zero,
@@ -355,40 +351,3 @@ class Settling:
         return Settled(
             each.kind, each.claim, each.line, "sampled", f"the same at {len(places[letters[0]])} points"
         )
-
-
-def check_obligations(bank: Bank, solution: Solution, tally: Tally, variants: int) -> None:
-    """Comes after the laws were put back; `variants` are walked besides."""
-    file = bank.solution(solution.problem).name
-    for found in settled(solution, variants):
-        each = _as_put_back(found, tally.put_back) if found.kind == "laws hold" else found
-        tally.obligations.append(each)
-        if (
-            each.outcome == "counter-example" and each is found and each.kind != "mistakes differ"
-        ):  # which is a note already
-            tally.complain(f"{file}:{each.line}: {sentence(each)}")
-    tally.count("obligations", len(tally.obligations))
-
-
-def _as_put_back(each: Settled, put_back: Sequence[PutBack]) -> Settled:
-    """How the laws of a step held when all that was found was put in; what does not is complained of already."""
-    step = each.line, each.claim, each.case  # several steps, or cases, may stand on one line
-    here = [one for one in put_back if (one.line, laws_of(one.names), one.case) == step]
-    broken = next((one for one in here if one.how == "differ"), None)
-    if broken is not None:
-        return replace(each, outcome="counter-example", by="a point", numbers=broken.at)
-    if each.outcome in ("proven", "sampled") and any(one.how == "undecided" for one in here):
-        return replace(each, outcome="undecided", by="neither algebra nor numbers decide it")
-    if each.outcome == "proven" and any(one.how == "points" for one in here):
-        return replace(each, outcome="sampled", by="no algebra decides it, it holds at points")
-    return each
-
-
-def sentence(each: Settled) -> str:
-    """What is wrong, for which numbers, and what to do."""
-    numbers = ", ".join(f"{name} = {value}" for name, value in each.numbers.items())
-    text = f"it does not hold that {each.claim}" + (f": {numbers}" if numbers else "")
-    if each.exclude:
-        share = f"{each.broken:.1%}" if each.broken else "few"
-        text += f" ({share} of the draws); where: {each.exclude}, in the problem, would exclude that"
-    return text

@@ -1,4 +1,4 @@
-"""The words, the figure and the translations of a problem, read for what the numbers contradict, and parts that no check reads."""
+"""The words, the figure and the translations of a problem, read for what contradicts numbers, and parts that no check reads."""
 
 from __future__ import annotations
 
@@ -8,16 +8,17 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from corollary.derive.solution import Solution
+from corollary.derive.translated import translated
+from corollary.messages import catalogue, language
 from corollary.problem.bank import Bank
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.figure import is_svg
 from corollary.problem.packed_pictures import pictures_of
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.problem.translation import ProblemTranslation, translation, translations
+from corollary.problem.translation import ProblemTranslation, faults, translation, translations
 from corollary.units.unit import ONE, Unit, canonical, show
 from corollary.verify.checked import Tally
-from corollary.verify.translations import texts_of
 from corollary.verify.words.asked_sign import MAGNITUDE
 from corollary.verify.words.author_text import (
     INLINE,
@@ -32,6 +33,48 @@ from corollary.verify.words.drawn_figure import misdrawn
 from corollary.verify.words.holes import exchanged, mislabelled, translated_otherwise
 from corollary.verify.words.numerals_in_words import unit_after
 from corollary.verify.words.typed_givens import is_angle, typed_givens
+
+_law_name = catalogue("corollary.laws")
+
+
+def check_translations(problem: Problem, solution: Solution, tally: Tally) -> None:
+    """Complains of each text that a translation does not say, by its file and line, and counts those that are there."""
+    for code in translations(problem.path):
+        try:
+            found = translation(problem, code)
+        except Malformed as error:
+            for complaint in error.complaints:
+                tally.complain(str(complaint))
+            continue
+        if found is None:
+            continue
+        for complaint in faults(problem, found):
+            tally.complain(str(complaint))
+        _check_texts(found, code, texts_of(solution), tally)
+
+
+def texts_of(solution: Solution) -> list[str]:
+    """Every text of a solution that a student may read, once, in the order of the derivation."""
+    found: dict[str, None] = {}
+
+    def listed(text: str) -> str:
+        found[text] = None
+        return text
+
+    translated(solution, listed)
+    return list(found)
+
+
+def _check_texts(found: ProblemTranslation, code: str, texts: list[str], tally: Tally) -> None:
+    for text in texts:
+        quoted = " ".join(text.split())
+        with language(code):
+            is_of_a_law = _law_name(text) != text
+        tally.count("translated texts", quoted in found.texts or is_of_a_law)
+        if quoted not in found.texts and not is_of_a_law:
+            sentence = f"the solution's text has no translation; add, below # Texts: > {quoted}"
+            tally.complain(f"{found.path.name}:1: {sentence}")
+
 
 LANGUAGES = {
     "de": "German",
@@ -57,9 +100,9 @@ def unread(problem: Problem) -> tuple[str, ...]:
         part.id for part in problem.parts if "code" in part.answer_types or "plot" in part.answer_types
     ]:
         found.append(f"what the words of {_parts(code)} say of the program")
-    for language in translations(problem.path):
-        name = LANGUAGES.get(language, language)
-        sizes = "" if language in MAGNITUDE else " (units and signs, too)"
+    for spoken in translations(problem.path):
+        name = LANGUAGES.get(spoken, spoken)
+        sizes = "" if spoken in MAGNITUDE else " (units and signs, too)"
         found.append(f"the {name} sentences{sizes}")
     found.append("the sentences of the question, but for numbers, units, holes, and words of size")
     return tuple(found)
@@ -256,8 +299,8 @@ def check_words(problem: Problem, tally: Tally) -> None:
     tally.count("texts read", len(texts))
     meanings = {given.symbol: given.meaning for given in problem.givens}
     sentences = [*_of_texts(problem, texts, meanings), *misdrawn(problem)]
-    for language, found in _translations(problem):
-        theirs = [each for each in texts_of_translation(problem, found, language) if each.text.strip()]
+    for spoken, found in _translations(problem):
+        theirs = [each for each in texts_of_translation(problem, found, spoken) if each.text.strip()]
         tally.count("texts read", len(theirs))
         meant = {symbol: found.texts.get(meaning, meaning) for symbol, meaning in meanings.items()}
         complaints = list(_of_texts(problem, theirs, meant))
@@ -265,7 +308,7 @@ def check_words(problem: Problem, tally: Tally) -> None:
         places = {each.split(": ")[0] for each in complaints}
         sentences += [
             each
-            for each in translated_otherwise(problem, found, language)
+            for each in translated_otherwise(problem, found, spoken)
             if each.split(": ")[0] not in places  # one fault, one complaint
         ]
     for sentence in sentences:
@@ -288,10 +331,10 @@ def _of_texts(problem: Problem, texts: list[AuthorText], meanings: dict[str, str
 
 
 def _translations(problem: Problem) -> Iterator[tuple[str, ProblemTranslation]]:
-    for language in translations(problem.path):
+    for spoken in translations(problem.path):
         try:
-            found = translation(problem, language)
+            found = translation(problem, spoken)
         except Malformed:
             continue  # which is complained of with the translations
         if found is not None:
-            yield language, found
+            yield spoken, found
