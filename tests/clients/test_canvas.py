@@ -24,7 +24,8 @@ import pytest
 from corollary.render.exports import target
 from corollary.render.lms_item import ChoiceAsked, LmsItem, NumbersAsked
 from corollary.render.targets.canvas import scale_of
-from corollary.render.targets.moodle import by_component
+
+from .by_component import by_component
 
 QTI = os.environ.get("COROLLARY_CANVAS_QTI", "")
 MIGRATION = os.environ.get("COROLLARY_CANVAS_MIGRATION", "")

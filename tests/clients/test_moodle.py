@@ -20,8 +20,10 @@ from corollary.grading.judge import judge
 from corollary.grading.points import grade
 from corollary.render.exports import target
 from corollary.render.lms_item import ChoiceAsked, NumbersAsked
-from corollary.render.targets.moodle import by_component, typed_units
+from corollary.render.targets.moodle import typed_units
 from corollary.units.unit import show
+
+from .by_component import by_component
 
 MOODLE = os.environ.get("COROLLARY_MOODLE", "")
 DRIVER = Path(__file__).with_name("moodle.php")

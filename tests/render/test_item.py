@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from corollary.answers.tolerance import same_signs
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank, home
 from corollary.problem.problem_set import Scheme
@@ -40,7 +41,13 @@ def earned(asked, fields) -> float:
     if not all(fields):
         return 0.0
     numbers = [float(text.replace(",", ".")) for text in fields]
-    return next((mark.share for mark in asked.marks if mark.met_by(numbers)), 0.0)
+    return next((mark.share for mark in asked.marks if meets(mark, numbers)), 0.0)
+
+
+def meets(mark: Credit, numbers: list[float]) -> bool:
+    """All components together are near enough, and on the side of zero that counts."""
+    small = [0.0 if signed else math.inf for signed in mark.signed]
+    return math.dist(numbers, mark.values) <= mark.reach and same_signs(numbers, mark.values, small)
 
 
 @pytest.mark.parametrize(
@@ -116,7 +123,7 @@ def test_a_range_holds_what_the_mark_holds(value, reach, off):
     number = value + off
     edge = min(abs(number - low), abs(number - high), abs(number) if value else math.inf)
     if edge > 1e-6:
-        assert mark.met_by([number]) == (low <= number <= high)
+        assert meets(mark, [number]) == (low <= number <= high)
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from corollary.answers.choice.judging import judge as judge_choice
 from corollary.answers.common_errors import RATIOS, slips
 from corollary.answers.expected import Expected, Quantity, Values
 from corollary.answers.guessing import may_be_guessed
-from corollary.answers.tolerance import ROUNDING_NOISE, same_signs
+from corollary.answers.tolerance import ROUNDING_NOISE
 from corollary.answers.verdict import Mistaken, Right, Slip, Verdict, word
 from corollary.formula.ast import Expr, Number, Product
 from corollary.grading.expectations import expected_of
@@ -63,11 +63,6 @@ class Credit:
             )
             for x, signed in zip(self.values, self.signed, strict=True)
         )
-
-    def met_by(self, numbers: Sequence[float]) -> bool:
-        """Whether all components together are near enough."""
-        small = [0.0 if signed else math.inf for signed in self.signed]
-        return math.dist(numbers, self.values) <= self.reach and same_signs(numbers, self.values, small)
 
 
 @dataclass(frozen=True, slots=True)

@@ -71,15 +71,6 @@ def answers_in(asked: NumbersAsked, place: int) -> Iterator[tuple[str, str, Cred
         yield f"{(low + high) / 2 + 0.0:.7g}", f"{(high - low) / 2:.6g}", mark
 
 
-def by_component(asked: NumbersAsked, numbers: Sequence[float]) -> float:
-    """What Moodle gives for these numbers: each component earns its share by itself."""
-    earned = 0.0
-    for place, number in enumerate(numbers):
-        fields = ((low, high, each.share) for low, high, each in _ranges(asked, place))
-        earned += next((share for low, high, share in fields if low <= number <= high), 0.0)
-    return earned / len(asked.components)
-
-
 def _points(asked: PartAsked) -> Fraction:
     """Those of one field: components share them."""
     fields = len(asked.components) if isinstance(asked, NumbersAsked) else 1
