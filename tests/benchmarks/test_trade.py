@@ -14,7 +14,7 @@ from corollary.grading.programs.fixed_step import RK4
 from corollary.scenes.integrate.runge_kutta import DOP853
 from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.models.pair import meet
-from corollary.trade import colliding_spheres, raced_scene, solvers
+from corollary.trade import colliding_spheres, methods, raced_scene
 from corollary.trade.colliding_spheres import through
 from corollary.trade.race import (
     Order,
@@ -170,7 +170,7 @@ def test_a_run_out_of_range_is_no_answer():
 
 def test_without_scipy_the_race_goes_on_and_says_why(monkeypatch):
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
-    assert solvers.routes(cases()[0]) == {}
+    assert methods.solver_routes(cases()[0]) == {}
 
 
 def test_the_record_is_the_contracts(raced):

@@ -23,7 +23,7 @@ from corollary.problem.bank import chapter_bank, load
 from corollary.problem.problem_set import read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
-from corollary.sandbox.decode import Encoded, to_value
+from corollary.sandbox.protocol import Encoded, to_value
 from corollary.sandbox.worker.encode import encode
 
 TESTS = Path(__file__).parents[1]

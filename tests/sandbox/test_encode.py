@@ -18,7 +18,7 @@ from hypothesis import strategies as some
 from corollary.formula.value import Complex, Exact, Items, Nothing, Real, Refused, Text, Value
 from corollary.messages import language
 from corollary.sandbox import worker
-from corollary.sandbox.decode import Encoded, to_value
+from corollary.sandbox.protocol import Encoded, to_value
 from corollary.sandbox.tagged import PREDICATES
 from corollary.sandbox.worker.encode import MOST_ITEMS, encode
 from corollary.units.dimension import Unit

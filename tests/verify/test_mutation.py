@@ -14,9 +14,9 @@ from corollary.formula.plain_text import text
 from corollary.laws.law import law, own_letters
 from corollary.problem.bank import Bank
 from corollary.problem.reader import read_problem
+from corollary.verify.checked import MutationScore, from_data
 from corollary.verify.mutation.numeric_roots import NumericEquations
 from corollary.verify.mutation.score import bends
-from corollary.verify.mutation.score_record import MutationScore, from_data
 from corollary.verify.verify import verify
 
 PROBLEM = """\

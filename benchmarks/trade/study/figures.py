@@ -10,7 +10,7 @@ import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
-from corollary.figure.colour import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILLION
+from corollary.figure.svg import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILLION
 
 from .labels import name_curves
 from .measured import FAMILIES, Timed, from_rows

@@ -22,9 +22,8 @@ from corollary.problem.front_matter import split
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import bank_of_set, find_set, set_names
 from corollary.problem.reader import read_problem
-from corollary.verify.checked import Checked
+from corollary.verify.checked import Checked, MutationScore
 from corollary.verify.expected_answers import unexpected
-from corollary.verify.mutation.score_record import MutationScore
 from corollary.verify.obligations.obligation import REDRAWN, Settled
 from corollary.verify.program_checks import unstarted
 from corollary.verify.sets import CheckedSet, check_set

@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Final, Literal
 
-from corollary.figure.colour import BLUE, GREEN, ORANGE, PURPLE, VERMILLION
 from corollary.figure.lettering import SIZE, Box, TextSpot, WaitingText, box_of, lettered, lies, shared
+from corollary.figure.svg import BLUE, GREEN, ORANGE, PURPLE, VERMILLION
 
 Point = tuple[float, float]
 Place = Point | str

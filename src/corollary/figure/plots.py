@@ -14,8 +14,7 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from corollary.figure.colour import CYCLE
-from corollary.figure.svg import safe_svg
+from corollary.figure.svg import CYCLE, safe_svg
 
 WIDTH = 7.2
 STYLE: Final[dict[Any, object]] = {

@@ -201,3 +201,17 @@ def _grown(size: re.Match[str], by: Mapping[str, float]) -> str:
     """`width="420"` for a sheet that is so many times as wide. (A size in percent is another thing's.)"""
     number = float(size["number"]) * by.get(size["name"].strip(" =\n\t"), 1.0)
     return f"{size['name']}{size['quote']}{number:.6g}{size['unit']}{size['quote']}"
+
+
+BLACK: Final = "#000000"
+ORANGE: Final = "#E69F00"
+SKY: Final = "#56B4E9"
+GREEN: Final = "#009E73"
+YELLOW: Final = "#F0E442"
+BLUE: Final = "#0072B2"
+VERMILLION: Final = "#D55E00"
+PURPLE: Final = "#CC79A7"
+GREY: Final = "#999999"
+
+CYCLE: Final = (BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY, BLACK, YELLOW)
+"""The order in which curves take their colours: neighbours differ most, yellow (faint on white) last."""

@@ -18,7 +18,6 @@ import msgspec
 
 from corollary.formula.value import Nothing, Value
 from corollary.messages import N_, catalogue
-from corollary.sandbox.decode import to_value
 from corollary.sandbox.folders import Canary, bytes_in
 from corollary.sandbox.isolation import UNKNOWN, Isolation, WeakIsolation, isolation_of
 from corollary.sandbox.job import (
@@ -48,6 +47,7 @@ from corollary.sandbox.protocol import (
     Result,
     Stream,
     send,
+    to_value,
     worker_frames,
 )
 from corollary.sandbox.zygote import CannotStart, Worker, Zygote

@@ -10,7 +10,7 @@ from typing import Any
 
 from corollary.derive.ready_scenes import run
 from corollary.scenes.run import GuardFailed
-from corollary.trade import atoms, colliding_spheres, cradles, falling_ball, methods, solvers
+from corollary.trade import atoms, colliding_spheres, cradles, falling_ball, methods
 from corollary.trade.raced_scene import Knob, MethodRoute, RacedScene, error_of
 
 MOST, MOST_QUICK = 8_000, 700
@@ -54,9 +54,9 @@ def cases() -> tuple[RacedScene, ...]:
 
 def race(case: RacedScene, quick: bool = False) -> WorkPrecision:
     """Every method on one scene; `quick` leaves out the longest runs and times each one once."""
-    bought = solvers.routes(case)
+    bought = methods.solver_routes(case)
     ways = {**case.own, **methods.routes(case, MOST_QUICK if quick else MOST), **bought}
-    missing = {} if bought else {"scipy": solvers.WANTING}
+    missing = {} if bought else {"scipy": methods.WANTING}
     timings: list[Timing] = []
     for name, route in ways.items():
         try:

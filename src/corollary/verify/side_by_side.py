@@ -25,8 +25,7 @@ from corollary.problem.packed_pictures import packed_file, unused
 from corollary.problem.problem import Problem
 from corollary.sandbox.folders import remove_abandoned
 from corollary.sandbox.runner import Runner
-from corollary.verify.checked import Checked
-from corollary.verify.mutation.score_record import from_data
+from corollary.verify.checked import Checked, from_data
 from corollary.verify.obligations.obligation import Settled
 from corollary.verify.program_checks import unstarted
 from corollary.verify.verify import not_verified, verify

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from corollary.figure.colour import BLUE
 from corollary.figure.drawing_sheet import (
     BEHIND,
     INK,
@@ -17,6 +16,7 @@ from corollary.figure.drawing_sheet import (
 )
 from corollary.figure.lettering import TextSpot, around
 from corollary.figure.shapes.surfaces import arc
+from corollary.figure.svg import BLUE
 from corollary.messages import N_
 
 LONGEST, SHORTEST, GAP = 84.0, 26.0, 4.0

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
-from corollary.figure.colour import BLUE, VERMILLION
 from corollary.figure.drawing_sheet import INK, TINTS, Canvas, FigureItem, NotDrawable, primitive
 from corollary.figure.lettering import around
 from corollary.figure.shapes.bodies import measured
 from corollary.figure.shapes.lines import beside
+from corollary.figure.svg import BLUE, VERMILLION
 from corollary.messages import N_
 
 

@@ -44,12 +44,12 @@ from corollary.problem.sampling import sample
 from corollary.scenes.run import Run
 from corollary.units.dimensional_analysis import Dimension, dimension_of
 from corollary.units.unit import show
+from corollary.verify.checked import MutationScore, Unnoticed
 from corollary.verify.expected_answers import difference, in_order
 from corollary.verify.laws import dimensions_of
 from corollary.verify.mutation.notices import EXACT, Checks, MutationCase, off
 from corollary.verify.mutation.numeric_roots import FAILURES, Values
 from corollary.verify.mutation.resolved import Laws, Replacement, Resolver
-from corollary.verify.mutation.score_record import MutationScore, Unnoticed
 from corollary.verify.mutation.spots import (
     BentEquations,
     Contradicted,
