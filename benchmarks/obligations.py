@@ -20,8 +20,7 @@ from typing import Any
 from corollary.derive.solve import solved_derivation
 from corollary.problem.bank import chapter_bank
 from corollary.verify.checked import Tally
-from corollary.verify.laws import check_laws
-from corollary.verify.obligations.settle import check_obligations
+from corollary.verify.laws import check_laws, check_obligations
 from corollary.verify.walk import LEAST
 
 OUTCOMES = ("proven", "sampled", "undecided", "counter-example")
