@@ -265,6 +265,14 @@ def _value_again(
     spoken = [with_direction(Text(each), question, read, component) for each in (first, second)]
     if _is_unread(spoken[0]) and (sentence := sentence_in(first, 1, question)) is not None:
         spoken[0] = read(Text(sentence.quantities[0]))
+    ways = {
+        sign_of_way(word, question.positive)
+        for word in re.findall(r"[^\W\d_]+", first.lower())
+        if word in SIGNS
+    }
+    second_way = -1 if isinstance(spoken[1], Numbers) and spoken[1].values[0] < 0 else 1
+    if ways - {second_way} and _has_minus(spoken[1]):
+        return None  # `3 N towards it, to the right, i.e. -3 N`
     return _one_value(*spoken)
 
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from corollary.answers.name import OF_CHANGE
 from corollary.answers.number_words import NUMBERS
 from corollary.answers.preamble import HALF_OF_A_NAME, OF_A_SIGN, TURNED
 from corollary.answers.question import Question
@@ -50,9 +51,9 @@ def sentence_in(text: str, count: int, question: Question) -> QuantitySentence |
     pieces.append(text[at:])
     between = HALF_OF_A_NAME.sub("", " ".join(pieces))
     words = [word.lower() for word in WORD.findall(between)]
-    denied = (TURNED - SIGNS.keys() - NUMBERS.keys() - {"and", "und", "og", "between", "first"}) - (
-        ORDINALS & {word.lower() for word in WORD.findall(f"{question.title} {question.text}")}
-    )
+    denied = (
+        (TURNED | OF_CHANGE) - SIGNS.keys() - NUMBERS.keys() - {"and", "und", "og", "between", "first"}
+    ) - (ORDINALS & {word.lower() for word in WORD.findall(f"{question.title} {question.text}")})
     if (
         len(quantities) != count
         or not words

@@ -20,7 +20,7 @@ _ = catalogue(__name__)
 
 LONGEST, MOST = 1000, 20  # signs of a text, forces of an answer
 SPOKEN = re.compile(
-    r"\b(?:acts?|points?|pulls?|pushes|is directed|acting|pointing)\b", re.IGNORECASE
+    r"\b(?:acts?|points?|is directed|acting|pointing)\b", re.IGNORECASE
 )  # `the weight acts down`
 BETWEEN = re.compile(r"\s*(?::|=|->|→)\s*")
 
