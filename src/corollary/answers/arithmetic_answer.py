@@ -70,12 +70,17 @@ def _units_behind(functions: tuple[str, ...], euler: bool = False) -> re.Pattern
     return re.compile(rf"\s*\*?\s*{symbol}(?:\s*[*/]?\s*{symbol}|{below})*")
 
 
+OVER_UNIT = re.compile(r"(?<=[0-9)])\s+1\s*/\s*(?=[A-Za-z])")  # `sqrt(40) 1/s`
+ROOT_OVER_UNIT = re.compile(r"√\s?([0-9.]+)\s+1\s*/\s*(?=[A-Za-z])")
+
+
 def worked_out(normalized: str, *, euler: bool = False) -> Worked | ParseError:
     """Sums, products, quotients, powers and roots of numbers; `normalized` is translated by TO_ASCII and bounded.
 
     One unit at the very end is that of the result; otherwise each unit belongs to the number before it. `euler`: a lone `e`
     is Euler's number and not the elementary charge.
     """
+    normalized = OVER_UNIT.sub("/", ROOT_OVER_UNIT.sub(r"sqrt(\1)/", normalized))
     units: dict[str, Unit] = {}
     read = tokens(
         normalized, _no_letters, read_first=lambda text, at, before: _sign(text, at, before, units, euler)

@@ -64,6 +64,7 @@ def is_name(side: str, question: Question | None = None) -> bool:
     """
     if NAME.fullmatch(side) is None or side.partition("(")[0].strip().lower() in function_words():
         return False
+    side = re.sub(r"^\s*\((.*)\)\s*$", r"\1", side)  # `(F)`, as `\langle F\rangle` is written
     run = re.sub(r"\([^()]*\)\s*$", "", side).strip().strip("|<>⟨⟩[]() ")
     return not any(sign in VULGAR for sign in run) and _is_one(run, question)
 

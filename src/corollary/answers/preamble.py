@@ -61,6 +61,7 @@ RIGHT_ANGLE = re.compile(r"\bright angles?\b", re.IGNORECASE)
 RATIO_WORDS: str = "half third quarter twice double doubled triple thrice halb halbe doppelt doppelte halv halve dobbel dobbelt times much"
 # What makes another value of the number behind it, or leaves open which one is meant.
 TURNING: str = (
+    "instead rather unlike contrary exceed exceeds exceeding beyond within besides short shy "
     "hardly barely scarcely kaum knapt if unless except but either both per each every and or oder eller und og between than least most more less minimum maximum above below "
     "over under until from error uncertainty before initial initially previous previously earlier first old vorher før wenn hvis pro "
     "second third other another last next each lost lose loses losing gained gain gains increases increased decreases decreased reduced toward towards away against"
@@ -83,6 +84,10 @@ CONCLUSION = re.compile(
 )
 WORK = re.compile(
     rf"(?P<work>[^?]*[=≈][^?]*?)\s*(?:[,;.]\s|→|⇒|⟹|=>|-{{1,2}}>)\s*(?:(?:and|so|thus|hence|therefore)\s+)*(?P<name>{NAME})\s*[=≈]\s*[-+]?[0-9.,√(][^=,;]*"
+)
+CONCLUDED = re.compile(
+    rf"[^=?]*[^\W\d_]{{2}}[^=?]*[,;.]\s*(?:and\s+)?(?:so|thus|hence|therefore)\s+(?=(?:{NAME})\s*[=≈])",
+    re.IGNORECASE,
 )
 LEADING = (
     LABEL,
@@ -206,6 +211,8 @@ def _skipped(text: str, in_a_sentence: bool) -> tuple[int, list[str]]:
         return 0, []
     if in_a_sentence and (clause := _clause(text))[0]:
         return clause
+    if in_a_sentence and (end := CONCLUDED.match(text)) and not DENIED.search(end[0]):
+        return end.end(), []  # `p goes from -8.6 to 8.6, so F = 17.2/0.1 = 172 N`
     if in_a_sentence and (work := WORK.fullmatch(text)) and not _names_a_value(work["work"], work["name"]):
         return work.start("name"), []  # `v² = 2gh = 98, v = 9.90 m/s`
     for lead in LEADING:

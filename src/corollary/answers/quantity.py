@@ -14,6 +14,7 @@ from corollary.answers.arithmetic_answer import worked_out
 from corollary.answers.components import are_axes, in_one_line, pieces_of, unread_side, without_preamble
 from corollary.answers.doubts import TABLE, doubtful
 from corollary.answers.left_side import (
+    RATIO,
     Solved,
     gives,
     gives_what_is_asked,
@@ -71,7 +72,6 @@ ARROW = re.compile(rf"^(?P<name>\s*{SYMBOL})\s*(?:→|⇒|[-=]>)\s*(?=[-+−]?[0
 WORDS_BEHIND_NAME = re.compile(
     rf"(?P<name>\s*{SYMBOL})\s*\((?P<words>[A-Za-z ]+)\)(?=\s*=)"
 )  # `F (average) = 86 N`
-OVER_UNIT = re.compile(r"(?<=[0-9)])\s+1\s*/\s*(?=[A-Za-z])")  # `√40 1/s`
 SHARE_OF = re.compile(r"(?<=[0-9])(\s*%)\s+of\s+(?=[0-9])")  # `65 % of 20 cm`
 OF_THAT = re.compile(
     r"(?<=[0-9])(?P<unit>\s*(?:%|percent))?\s+(?:of (?:it|that|this|them)|more or less|or so)\s*$",
@@ -243,6 +243,8 @@ def _beside_sides(
         return _asked_about(turned, last, wanted, question)
     if len(unread) == 1 and (over := turned_over(unread[0], wanted.dimension, question)) is not None:
         return _solved(unread[0], over, last, wanted)
+    if len(unread) == 1 < len(open_sides) and wanted.dimension == ONE and RATIO.fullmatch(unread[0]):
+        return ()  # `K_B/K_0 = 15.36/16 = 0.960`
     stand_for_it = [gives_what_is_asked(side, wanted.dimension, question) for side in unread]
     if any(stand_for_it):
         return tuple(each for each in stand_for_it if not isinstance(each, bool))
@@ -280,16 +282,13 @@ def _solved(side: str, found: Solved, last: Reading, wanted: Unit) -> ParseError
 
 
 def _agree(one: Reading, other: Reading) -> bool:
-    """True if two sides are the same value; a bare number may stand for either unit."""
-    same = same_value(in_si(one), in_si(other)) or _are_zero(one, other)
-    bare = (one.unit is None and one.fit == "unit missing") or (
-        other.unit is None and other.fit == "unit missing"
-    )
-    if same or (bare and same_value(float(one.value), float(other.value))):
+    """True if two sides are the same value; a bare number may stand for either unit, or for that of SI: `1 - 3/4 = 0.25 = 25 %`."""
+    if same_value(in_si(one), in_si(other)) or _are_zero(one, other):
         return True
-    # `1 - 3/4 = 0.25 = 25 %`, `492/2 = 246 s = 4.1 min`: what has no unit is in SI.
-    return (one.unit is None and same_value(float(one.value), in_si(other))) or (
-        other.unit is None and same_value(in_si(one), float(other.value))
+    missing = any(each.unit is None and each.fit == "unit missing" for each in (one, other))
+    in_si_unit = ((each, beside) for each, beside in ((one, other), (other, one)) if each.unit is None)
+    return (missing and same_value(float(one.value), float(other.value))) or any(
+        same_value(float(each.value), in_si(beside)) for each, beside in in_si_unit
     )
 
 
@@ -428,7 +427,7 @@ def _of_charge(expected: Unit) -> bool:
 def _worked(
     text: str, normalized: str, expected: Unit | None, *, euler: bool = False
 ) -> Reading | ParseError:
-    found = worked_out(OVER_UNIT.sub(" * 1/", normalized.translate(ROUND)), euler=euler)
+    found = worked_out(normalized.translate(ROUND), euler=euler)
     if isinstance(found, ParseError):
         return found
     number = Written(Fraction(f"{found.value:.15g}"), 0, 0)

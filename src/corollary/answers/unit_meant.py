@@ -24,6 +24,7 @@ SHORT: dict[Dimension, dict[str, Unit]] = {
 METRE_GLUED = re.compile(r"/\s*\(?\s*m\s?K\)?(?![A-Za-z0-9^])")  # `W/mK` has no millikelvin
 PER_SECOND = Dimension.of("s^-1")
 LARGE_CALORIES = re.compile(r"\s*Cals?\s*")
+SI_UNITS = re.compile(r"\s*\(?(?:in )?SI(?:[ -]units?)?\)?\s*")
 KILO = re.compile(r"\s*[Kk]ilos?\s*")  # said for kilograms
 IN = re.compile(r"in\s+(?=\S)")
 # A temperature as it is typed in a hurry: `25 ⁰C` with a raised zero, `25 oC`, `25 C°`, `77 F`.
@@ -45,6 +46,8 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
     """The unit; where it has several readings, as `ms^-1` or `Ns (newton seconds)`, the one that measures what is asked for."""
     if expected is not None and (of_temperature := _temperature(text, expected)) is not None:
         return of_temperature
+    if expected is not None and SI_UNITS.fullmatch(text) and expected.si == 1 and not expected.offset:
+        return expected
     if expected is not None and KILO.fullmatch(text) and expected.dimension == UNITS["kg"].dimension:
         return UNITS["kg"]
     if expected is not None and (of_field := OF_A_FIELD.fullmatch(text)) and _fits(UNITS["gauss"], expected):

@@ -64,6 +64,7 @@ PHRASES = (
 ADDITIONS: str = "away mov move stay remain keep go goe act direction point take tak choose pick sea both some always ball wire body"
 ADDED = frozenset(ADDITIONS.split())
 IN_OPTIONS: str = "from to up on at in by with towards into out off down over under between before after"
+INFINITIVE = re.compile(r"\b(?:have|has|had|needs?|need|is|are|got|wants?) to\b")
 PREPOSITIONS = frozenset(IN_OPTIONS.split())
 NUMBER_ALONE = re.compile(rf"\W*(?:[0-9.,]+|{'|'.join(NUMBERS)})\W*", re.IGNORECASE)  # may count the options
 BECAUSE_FIRST = re.compile(rf"\W*(?:{BECAUSE})\b", re.IGNORECASE)
@@ -104,7 +105,8 @@ def option_worded(text: str, options: Mapping[str, str], question: str) -> Worde
         and _worded(_content(first), known, question) == Worded(whole.letter, sure=True)
     ):
         return Worded(whole.letter, sure=True)  # `it stays the same, the mass cancels`
-    if whole.letter and (NUMBER_ALONE.fullmatch(text) or BECAUSE_FIRST.match(text)):
+    asked_why = question.rstrip(" .,:").lower().endswith(("because", "since", "weil", "fordi"))
+    if whole.letter and (NUMBER_ALONE.fullmatch(text) or (BECAUSE_FIRST.match(text) and not asked_why)):
         return Worded(whole.letter, sure=False)
     return whole
 
@@ -122,7 +124,10 @@ def _begins_against(rest: str) -> bool:
 
 def _with_other_prepositions(text: str, options: Mapping[str, str], letter: str) -> bool:
     """True if a text has a preposition of another option that the one it means does not have."""
-    typed, own = (PREPOSITIONS & set(re.findall(r"[a-z]+", each.lower())) for each in (text, options[letter]))
+    typed, own = (
+        PREPOSITIONS & set(re.findall(r"[a-z]+", INFINITIVE.sub("", each.lower())))
+        for each in (text, options[letter])
+    )
     others = set[str]().union(
         *(re.findall(r"[a-z]+", each.lower()) for key, each in options.items() if key != letter)
     )
