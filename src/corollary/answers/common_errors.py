@@ -26,7 +26,7 @@ SIGN_AND_CONSTANT = N_("the sign and a constant factor are wrong")
 ROOT = N_("a constant factor is wrong: look at what stands under a root")
 SPEEDS = N_("km/h and m/s have been mixed.")
 ENERGY, LENGTH = Dimension.of("kg m^2 s^-2"), Dimension.of("m")
-TURNING = frozenset(map(Dimension.of, ("s^-1", "s^-2")))
+OF_ROTATION = frozenset(map(Dimension.of, ("s^-1", "s^-2")))
 WITH_DIRECTION = DIRECTED | {
     ENERGY,
     *map(
@@ -98,7 +98,7 @@ RATIOS = (
 def is_directed(unit: Unit) -> bool:
     """True of what points one way or the other wherever it is met: a velocity, a force, a torque; not of a length or an angle, which
     may be a position as well as a size."""
-    if unit.dimension in TURNING:
+    if unit.dimension in OF_ROTATION:
         return "rad" in unit.text or "deg" in unit.text
     return has_direction(unit) and unit.dimension not in (LENGTH, ONE)
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
 from corollary.answers.bound import QUESTIONS
+from corollary.answers.changing_words import CONTRARY
 from corollary.answers.left_side import CHANGE
 from corollary.answers.motion_words import way_behind
 from corollary.answers.positive_direction import REFERENCE_LINE, line_of, sign_of_way, sign_of_words
@@ -129,7 +130,9 @@ REFERENCE = (  # from where an angle is counted
 )
 UPWARDS = "up|upwards?|above|over|aufwärts|nach oben|über|oppover|counter-?clockwise|anticlockwise|gegen den Uhrzeigersinn|mot klokka|north"
 DOWNWARDS = "down|downwards?|below|under|abwärts|nach unten|unter|unterhalb|nedover|clockwise|im Uhrzeigersinn|med klokka|south"
-TURNED = re.compile(rf"[\s,;(]+(?:(?P<up>{UPWARDS})|(?:{DOWNWARDS})){REFERENCE}\)?\.?\s*$", re.IGNORECASE)
+DIRECTION_BEHIND = re.compile(
+    rf"[\s,;(]+(?:(?P<up>{UPWARDS})|(?:{DOWNWARDS})){REFERENCE}\)?\.?\s*$", re.IGNORECASE
+)
 TOWARDS = re.compile(
     r"(?<=[A-Za-z0-9²)])[\s,;(]+(?:i\.e\.,? |that is,? |meaning |so )?"
     r"(?P<words>(?:(?:straight|directly) )?"
@@ -146,11 +149,6 @@ TWO_WAYS = re.compile(  # `(positive, up)`
     re.IGNORECASE,
 )
 # `301 kg left`: what is asked for has no direction.
-ANOTHER_SIDE: str = (
-    "front opposite other against wrong below above under less more lost gained before half twice each per left down back too "
-    "short missing lacking almost nearly not but anything everything"
-)
-CONTRARY = frozenset(ANOTHER_SIDE.split())
 LEFT_OVER = re.compile(
     r"(?<=[A-Za-z%])(?<!\bthe)\s+(?:(?:is|are|was|were) )?(?:left(?: over)?|remaining)\.?\s*$", re.IGNORECASE
 )
@@ -379,6 +377,8 @@ def _is_contrary(words: str, question: Question) -> bool:
     spoken = {word.lower() for word in re.findall(r"[^\W\d_]+", words)}
     known = {word.lower() for word in re.findall(r"[^\W\d_]+", question.text)}
     named = re.search(r"\b[B-HJ-Z]\b|\bA\b(?! )|axis|-achse|-akse", words)
+    if directed(question) and (OF_A_SIGN.search(words) or re.search("oppos|contrar", words, re.IGNORECASE)):
+        return True
     share = question.unit.dimension == ONE and not question.unit.is_angle
     return share or named is not None or bool(spoken & SIGNS.keys()) or bool((spoken & CONTRARY) - known)
 
@@ -442,7 +442,7 @@ def direction_of(text: str, directed: bool, component: str = "", positive: str =
 
 def turn_of(text: str) -> Direction | None:
     """The sense in which a text of bounded length says that an angle is counted: upwards, or counter-clockwise, is positive."""
-    found = TURNED.search(text)
+    found = DIRECTION_BEHIND.search(text)
     return found and Direction(text[: found.start()], 1 if found["up"] else -1, found[0].strip(" ,;()."))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from corollary.answers.changing_words import OF_CHANGE
 from corollary.answers.question import Question
 from corollary.formula.abbreviations import function_words
 from corollary.formula.numerals import VULGAR
@@ -22,13 +23,6 @@ NAME = re.compile(
     rf"\s*(?:{SYMBOL}{CALLED}|\|\|?\s*{SYMBOL}\s*\|\|?|<\s*{SYMBOL}\s*>|⟨\s*{SYMBOL}\s*⟩|\[{SYMBOL}\]|\({SYMBOL}\))\s*"
 )
 WORD = re.compile(rf"{SYMBOL}|\([^\W\d_]\w?\)|[^\W\d_]+['’.]?s?")
-CHANGES = (
-    "minus plus times half third quarter twice double doubled triple thrice negative negativ negatives not no wrong false incorrect without except "
-    "opposite reverse reversed inverse reciprocal root square squared cube cubed sine cosine tangent logarithm divided multiplied over "
-    "halb halbe halbes doppelt doppelte dreifache nicht kein falsch mal ohne quadrat wurzel kehrwert "
-    "halv halve halvparten dobbel dobbelt dobbelte tredobbelt ikke feil galt ganger uten kvadratet roten"
-)
-OF_CHANGE = frozenset(CHANGES.split())
 GREEK_WORDS = sorted(
     {*GREEK.values(), *(word.capitalize() for word in GREEK.values())}, key=len, reverse=True
 )

@@ -7,9 +7,10 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from corollary.answers import trace
-from corollary.answers.name import OF_CHANGE, SYMBOL
+from corollary.answers.changing_words import CHANGING, DENIED, OF_CHANGE, OF_DIRECTION, RATIO_WORDS
+from corollary.answers.name import SYMBOL
 from corollary.answers.number_words import NUMBERS
-from corollary.answers.remark import BECAUSE, DENIED, HARMLESS
+from corollary.answers.remark import BECAUSE, HARMLESS
 from corollary.answers.sign_words import SIGNS
 from corollary.formula.abbreviations import function_words
 from corollary.units.unit import Unit, read_unit
@@ -58,18 +59,6 @@ AS_BEFORE = re.compile(r"\bas \w+ (?:as before|again)\b")
 CONCLUDING = re.compile(r", (?:and )?(?:so|thus|hence|therefore|damit|also|altså) ", re.IGNORECASE)
 CONCLUDES = re.compile(r", (?:and )?(?:so|thus|hence|therefore|namely|also|damit|altså)$", re.IGNORECASE)
 RIGHT_ANGLE = re.compile(r"\bright angles?\b", re.IGNORECASE)
-RATIO_WORDS: str = "half third quarter twice double doubled triple thrice halb halbe doppelt doppelte halv halve dobbel dobbelt times much"
-# What makes another value of the number behind it, or leaves open which one is meant.
-TURNING: str = (
-    "instead rather unlike contrary exceed exceeds exceeding beyond within besides short shy "
-    "hardly barely scarcely kaum knapt if unless except but either both per each every and or oder eller und og between than least most more less minimum maximum above below "
-    "over under until from error uncertainty before initial initially previous previously earlier first old vorher før wenn hvis pro "
-    "second third other another last next each lost lose loses losing gained gain gains increases increased decreases decreased reduced toward towards away against"
-)
-WAYS = frozenset(["toward", "towards", "away", "against", "opposite", "lost", "loses", *SIGNS])
-TURNED = (
-    (OF_CHANGE - set(RATIO_WORDS.split())) | set(TURNING.split()) | SIGNS.keys() | (NUMBERS.keys() - {"one"})
-)
 LABEL = re.compile(r"[a-z][0-9]?\)\s+|\([a-z][0-9]?\)\s*(?=[-+≈=~]?\s*[0-9.,√])")
 NAME = rf"{SYMBOL}|\|{SYMBOL}\||<{SYMBOL}>"
 COUNTED = re.compile(
@@ -219,7 +208,11 @@ def _skipped(text: str, in_a_sentence: bool) -> tuple[int, list[str]]:
         if (found := lead.match(text)) and found.end() < len(text):
             return found.end(), []
     for name in LEFT_NAMES:
-        if (found := name.match(text)) and found.end() < len(text) and not _is_unit(found["side"]):
+        if (
+            (found := name.match(text))
+            and found.end() < len(text)
+            and not (_is_unit(found["side"]) or found["side"].lower() in CHANGING)
+        ):
             return found.end(), [found["side"]]
     return _last_side(text)
 
@@ -239,9 +232,9 @@ def _clause(text: str) -> tuple[int, list[str]]:
     small = [part for word in words for part in word.lower().split("-")]
     if not marked and (concluded := CONCLUDING.search(found["words"])):
         small = found["words"][concluded.end() :].lower().split()  # `it is twice that, so the force is 3 N`
-    changed = TURNED if marked and len(words) > 2 else TURNED | OF_CHANGE
+    changed = CHANGING if marked and len(words) > 2 else CHANGING | OF_CHANGE
     if found["signed"] and (marked or concluded):
-        changed = changed - WAYS  # `it is pushed backwards, so -3 N`
+        changed = changed - OF_DIRECTION  # `it is pushed backwards, so -3 N`
     lowered = AS_BEFORE.sub("", " ".join(small))
     small = (TIMES_AS.sub("", lowered) if marked else lowered).split()
     ratios = RATIO_WORDS.split() if marked and len(words) > 2 else ()

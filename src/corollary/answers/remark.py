@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from corollary.answers.changing_words import DENIED
+
 WORDS = r"[^0-9=<>≤≥]"
 BECAUSE = "because|since|due to|weil|fordi"  # lead the reason of any answer
 LEADS = (
@@ -34,12 +36,6 @@ NEUTRAL: str = (
     "i snitt gjennomsnitt totalt med uten vekt før etter støtet rett ballen kula kloss"
 )
 HARMLESS = frozenset(NEUTRAL.split())
-# What takes the number back, or makes it another one: `one and a half`.
-DENIED = re.compile(
-    r"\b(?:not|no|never|none|nicht|kein|keine|ikke|or|oder|eller|half|quarter|third|dozen|hundred|thousand|million"
-    r"|halb\w*|halv\w*)\b|n['’]t\b",
-    re.IGNORECASE,
-)
 
 
 # What denies a motion and not the number, of which nothing but a zero is passed over.

@@ -6,11 +6,10 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.answers.name import OF_CHANGE
+from corollary.answers.changing_words import CHANGING, DENIED, OF_CHANGE
 from corollary.answers.number_words import NUMBERS
-from corollary.answers.preamble import HALF_OF_A_NAME, OF_A_SIGN, TURNED
+from corollary.answers.preamble import HALF_OF_A_NAME, OF_A_SIGN
 from corollary.answers.question import Question
-from corollary.answers.remark import DENIED
 from corollary.answers.sign_words import SIGNS
 from corollary.answers.unit_meant import unit_meant
 from corollary.units.unit import ONE, Unit, read_unit
@@ -51,9 +50,10 @@ def sentence_in(text: str, count: int, question: Question) -> QuantitySentence |
     pieces.append(text[at:])
     between = HALF_OF_A_NAME.sub("", " ".join(pieces))
     words = [word.lower() for word in WORD.findall(between)]
-    denied = (
-        (TURNED | OF_CHANGE) - SIGNS.keys() - NUMBERS.keys() - {"and", "und", "og", "between", "first"}
-    ) - (ORDINALS & {word.lower() for word in WORD.findall(f"{question.title} {question.text}")})
+    joining = {"and", "und", "og", "between", "first"} if count > 1 else {"and"}
+    denied = ((CHANGING | OF_CHANGE) - SIGNS.keys() - NUMBERS.keys() - joining) - (
+        ORDINALS & {word.lower() for word in WORD.findall(f"{question.title} {question.text}")}
+    )
     if (
         len(quantities) != count
         or not words

@@ -19,7 +19,7 @@ from corollary.derive.statements import Mistake
 from corollary.formula.ball import RationalPi, Undefined, holds
 from corollary.grading.key import Key, make_key, named
 from corollary.grading.replay import WhatIf, ancestors, exchanged, letters_of, replay
-from corollary.grading.rounding import MOST
+from corollary.grading.rounding import MOST_TOLERANCE
 from corollary.problem.part import Part
 from corollary.problem.sampling import draws, sample
 from corollary.problem.variant import Variant, chapter, first_broken
@@ -85,7 +85,7 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
     except Undefined as error:
         return None, f"an answer does not exist: {error}"
     for part, truth in key.truths.items():
-        if truth.noise > max(MOST, variant.problem.part(part).tolerance):
+        if truth.noise > max(MOST_TOLERANCE, variant.problem.part(part).tolerance):
             return (
                 None,
                 f"part {part}: honest rounding to three figures already moves the answer by {truth.noise:.1%}",

@@ -23,7 +23,7 @@ from corollary.grading.expectations import expected_of
 from corollary.grading.follow_through import AsWritten, same_as
 from corollary.grading.guesses import for_nothing, guessed, one_number, own_work, repeated
 from corollary.grading.key import Key
-from corollary.grading.rounding import LEAST
+from corollary.grading.rounding import LEAST_TOLERANCE
 from corollary.guard import Failure, guarded
 from corollary.messages import catalogue
 from corollary.problem.part import Part
@@ -123,7 +123,9 @@ def _halves(answer: Answer, part: Part) -> Values:
     zeros = answer.zeros or (float(part.unit.offset),) * count
     written = [value - zero for value, zero in zip(answer.values, zeros, strict=True)]
     return tuple(
-        min(0.5 * last_place(value, figures, size), LEAST * abs(value)) if value and figures else 0.0
+        min(0.5 * last_place(value, figures, size), LEAST_TOLERANCE * abs(value))
+        if value and figures
+        else 0.0
         for value, figures, size in zip(written, answer.figures, sizes, strict=True)
     )
 

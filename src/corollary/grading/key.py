@@ -28,7 +28,7 @@ from corollary.formula.ball import Ball, RationalPi, Undefined, certified, evalu
 from corollary.formula.exact import exactly
 from corollary.formula.functions import FUNCTIONS
 from corollary.grading.replay import compute, simulated
-from corollary.grading.rounding import LEAST, MOST, Noise, noise_of
+from corollary.grading.rounding import Noise, noise_of, tolerance_of
 from corollary.grading.signs import signed
 from corollary.problem.given import Given
 from corollary.problem.part import Part
@@ -321,8 +321,7 @@ def _truth(
     off = MARGIN * noise.distance / scale if scale else 0.0
     uncertain = tuple(MARGIN * each + TINY * scale for each in noise.components)
     by_steps = MARGIN * noise.by_steps / scale if scale else 0.0
-    own = part.tolerance if part is not None else 0.0
-    tolerance = max(own, min(MOST, max(LEAST, off + error)))
+    tolerance = tolerance_of(part.tolerance if part is not None else 0.0, off, error)
     return Truth(place, stated.values, stated.certified, error, scale, tolerance, by_steps, uncertain)
 
 
@@ -367,7 +366,7 @@ def table_truth(
             stated.certified,
             0.0,
             0.0,
-            max(part.tolerance, LEAST),
+            tolerance_of(part.tolerance, 0.0, 0.0),
             0.0,
             uncertain,
             tuple(sizes),
@@ -377,7 +376,7 @@ def table_truth(
         return max(each / size for each, size in zip(several, sizes, strict=True))
 
     error = most(stated.errors)
-    tolerance = max(part.tolerance, min(MOST, max(LEAST, MARGIN * most(noise.components) + error)))
+    tolerance = tolerance_of(part.tolerance, MARGIN * most(noise.components), error)
     by_steps = MARGIN * most(noise.components_by_steps)
     return Truth(
         place,

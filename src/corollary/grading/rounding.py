@@ -20,10 +20,14 @@ if TYPE_CHECKING:
     import numpy as np
 
 GRAVITY = {Fraction("9.8"): Fraction("9.81"), Fraction("9.81"): Fraction("9.8")}
-LEAST, MOST = (
-    0.005,
-    0.02,
-)  # three figures may be half a per cent off (1.005 for 1.00); beyond 2 % mistakes look right
+# Three figures may be half a per cent off (1.005 for 1.00); beyond 2 % mistakes look right.
+LEAST_TOLERANCE, MOST_TOLERANCE = 0.005, 0.02
+
+
+def tolerance_of(own: float, off: float, error: float) -> float:
+    """How far an answer may be from the key, as a share of its scale: what honest rounding does (`off`) and the key's own error,
+    within bounds; at least what its part states (`own`)."""
+    return max(own, min(MOST_TOLERANCE, max(LEAST_TOLERANCE, off + error)))
 
 
 @dataclass(slots=True)

@@ -18,7 +18,7 @@ from typing import IO, TypeVar, final
 T = TypeVar("T")
 
 LENGTH = struct.Struct(">Q")
-BYTES = 1 << 30
+INTERPRETER_BYTES = 1 << 30
 # The clock on the wall is for what waits without working; a loaded machine must not decide what is decided.
 WAITING = 10
 SECONDS_TO_START = 60.0
@@ -76,7 +76,7 @@ class Limited:
                     sys.executable,
                     "-I",
                     "-c",
-                    START.format(path=[each for each in sys.path if each], bytes=BYTES),
+                    START.format(path=[each for each in sys.path if each], bytes=INTERPRETER_BYTES),
                 ],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,

@@ -21,7 +21,7 @@ _WORKER = Path(__file__).parent / "worker"
 # In the order in which they import one another.
 _MODULES = (
     "libc",
-    "memory",
+    "huge_pages",
     "namespaces",
     "landlock",
     "seccomp",

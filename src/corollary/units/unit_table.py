@@ -84,7 +84,7 @@ def _numbers(word: str) -> tuple[str, ...]:
 
 
 # Sizes of eV, e and u: CODATA 2022. The calorie is the thermochemical one; the year is 365.25 days.
-TABLE = """
+NEVER_SUGGESTED = """
 A       | A                  | 1                 | n u m k       | ampere amp
 K       | K                  | 1                 | n u m         | kelvin
 mol     | mol                | 1                 | n u m k       | mole
@@ -104,7 +104,7 @@ Gy      | m^2 s^-2           | 1                 | u m           | gray
 Sv      | m^2 s^-2           | 1                 | u m           | sievert
 kat     | mol s^-1           | 1                 | n u m         | katal
 """
-OTHERS = """
+NEVER_RUN_TOGETHER = """
 degC    | K                  | 1 + 273.15        |               | celsius centigrade
 degF    | K                  | 5/9 + 45967/180   |               | fahrenheit
 delta_degC | K               | 1                 |               |
@@ -190,11 +190,11 @@ REFUSED = dict.fromkeys(
     N_("{unit} is a logarithm of a ratio, not a unit: give the ratio itself, or the quantity"),
 )
 """What looks like a unit and is none, with the reason."""
-for _row in OTHERS.strip().splitlines():
+for _row in NEVER_RUN_TOGETHER.strip().splitlines():
     register(*(_cell.strip() for _cell in _row.split("|")))
 APART = frozenset(UNITS)
 """Not looked for in letters that are run together: `kgd` is no kilogram times a day."""
-for _row in TABLE.strip().splitlines():
+for _row in NEVER_SUGGESTED.strip().splitlines():
     register(*(_cell.strip() for _cell in _row.split("|")))
 UNSUGGESTED = frozenset(UNITS)
 """Not offered for what is mistyped: a letter of a formula (`2 m v`) is rather no unit at all than a volt."""

@@ -19,11 +19,11 @@ FILLING: str = (
 FILLERS = frozenset(FILLING.split())
 ONLY = frozenset({"only", "just"})  # `the momentum only`: left out where nothing else is meant
 # What turns an option round, or takes it back: it stands on both sides or on neither.
-TURNING: str = (
+REVERSING: str = (
     "not no never neither nor none nothing cannot without but except unless if or and while although yet opposite "
     "nicht kein keine nie ikke ingen aldri oder eller und og"
 )
-TURNED = frozenset(TURNING.split())
+REVERSED = frozenset(REVERSING.split())
 SAME_AS: dict[str, str] = {
     "bigger": "larger", "greater": "larger", "higher": "larger", "increases": "larger", "lower": "smaller", "decreases": "smaller",
     "quicker": "faster", "equal": "same", "equally": "same", "unchanged": "same", "identical": "same", "double": "2 times", "doubled": "2 times", "doubles": "2 times",
@@ -119,7 +119,7 @@ def _exactly(typed: list[str], known: Mapping[str, list[str]]) -> str:
 
 def _begins_against(rest: str) -> bool:
     """True if what follows a clause takes it back, or names another possibility."""
-    return bool(TURNED & set(re.findall(r"[^\W\d_]+", rest.lower())[:2]))
+    return bool(REVERSED & set(re.findall(r"[^\W\d_]+", rest.lower())[:2]))
 
 
 def _with_other_prepositions(text: str, options: Mapping[str, str], letter: str) -> bool:
@@ -146,9 +146,9 @@ def _worded(typed: list[str], known: Mapping[str, list[str]], question: str) -> 
     (letter,) = found
     option = known[letter]
     shared = {word for each in known.values() if each is not option for word in each}
-    left_out = TURNED.intersection(option) - {"and"}
+    left_out = REVERSED.intersection(option) - {"and"}
     if (
-        TURNED.intersection(typed) - set(option)
+        REVERSED.intersection(typed) - set(option)
         or left_out - set(typed)
         or _numbers(typed) - _numbers(option)
     ):

@@ -7,7 +7,7 @@ import signal
 import socket
 import tempfile
 
-from . import layers, libc, memory, namespaces, privileges, protocol, worker
+from . import huge_pages, layers, libc, namespaces, privileges, protocol, worker
 
 # What most notebooks do, run once before the first fork: fonts, lazy imports and caches are then there for every worker.
 # (Running it ten times, for the interpreter to specialise its bytecode, and copying the pages that workers write to before
@@ -49,7 +49,7 @@ def serve(config):
     gc.collect()
     gc.freeze()  # the collector then writes to no object of before the fork, so their pages stay shared
     if isolation.maps is not None:
-        memory.use_huge_pages(isolation.maps)
+        huge_pages.use_huge_pages(isolation.maps)
         os.close(isolation.maps)
     isolation.address_space = isolation.status("VmSize") * 1024
     ready = {

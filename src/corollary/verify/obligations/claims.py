@@ -27,7 +27,7 @@ from corollary.formula.exact import constant
 from corollary.formula.operators import has_operators
 from corollary.grading.assign import APART, visible_mistakes
 from corollary.grading.replay import ancestors
-from corollary.grading.rounding import MOST
+from corollary.grading.rounding import MOST_TOLERANCE
 from corollary.grading.signs import size_asked
 from corollary.verify.obligations.obligation import Clause, Equations, Obligation
 
@@ -295,7 +295,7 @@ def apart(solution: Solution) -> Iterator[Obligation]:
     for each in visible_mistakes(solution):
         claim = f"part {each.part}: {each.mistake.text!r} is told from the truth"
         line, find = each.mistake.line, solution.unknowns[each.at]
-        largest = max(MOST, solution.problem.part(each.part).tolerance)
+        largest = max(MOST_TOLERANCE, solution.problem.part(each.part).tolerance)
         share = Number(Fraction(str(largest)) + Fraction(str(APART)))  # relative: beyond, it is told apart
         wrong = mistaken(solution, each.place, each.mistake.rule, each.at)
         if find.in_givens is None or wrong is None:

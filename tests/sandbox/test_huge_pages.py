@@ -7,7 +7,7 @@ import os
 import re
 from pathlib import Path
 
-from corollary.sandbox.worker import memory
+from corollary.sandbox.worker import huge_pages
 
 SIZE = 16 << 20
 
@@ -24,10 +24,10 @@ def test_memory_in_huge_pages_is_as_it_was():
         area[at : at + 8] = at.to_bytes(8, "big")
     before = huge_kilobytes()
     maps = os.open("/proc/self/maps", os.O_RDONLY)
-    memory.use_huge_pages(maps)
+    huge_pages.use_huge_pages(maps)
     os.close(maps)
     assert all(area[at : at + 8] == at.to_bytes(8, "big") for at in marks)
-    if memory.libc.collapse(0, 0):  # the kernel knows how (Linux 6.1)
+    if huge_pages.libc.collapse(0, 0):  # the kernel knows how (Linux 6.1)
         assert huge_kilobytes() > before
     child = os.fork()
     if child == 0:
