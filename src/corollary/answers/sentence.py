@@ -59,6 +59,7 @@ def sentence_in(text: str, count: int, question: Question) -> QuantitySentence |
         or not words
         or len(words) > MOST_WORDS
         or OTHER_SIGNS.search(between)
+        or between.count("(") != between.count(")")
         or re.search(r"\d", between)
         or denied.intersection(words)
         or DENIED.search(between)
