@@ -17,7 +17,7 @@ OF_CHANGE = frozenset(CHANGES.split())
 RATIO_WORDS: str = "half third quarter twice double doubled triple thrice halb halbe doppelt doppelte halv halve dobbel dobbelt times much"
 # What makes another value of the number behind it, or leaves open which one is meant.
 TURNING: str = (
-    "instead rather unlike contrary exceed exceeds exceeding beyond within besides short shy cannot doubt lacks lacking missing complement supplement "
+    "nobody nothing anybody instead rather unlike contrary exceed exceeds exceeding beyond within besides short shy cannot doubt lacks lacking missing complement supplement "
     "hardly barely scarcely kaum knapt if unless except but either both per each every and or oder eller und og between than least most more less minimum maximum above below "
     "over under until from error uncertainty before initial initially previous previously earlier first old vorher før wenn hvis pro "
     "second third other another last next each lost lose loses losing gained gain gains increases increased decreases decreased reduced toward towards away against"

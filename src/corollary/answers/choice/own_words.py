@@ -66,6 +66,7 @@ ADDED = frozenset(ADDITIONS.split())
 IN_OPTIONS: str = "from to up on at in by with towards into out off down over under between before after"
 INFINITIVE = re.compile(r"\b(?:have|has|had|needs?|need|is|are|got|wants?) to\b")
 PREPOSITIONS = frozenset(IN_OPTIONS.split())
+ORDINALS = frozenset(["first", "second", "third", "other", "last"])
 NUMBER_ALONE = re.compile(rf"\W*(?:[0-9.,]+|{'|'.join(NUMBERS)})\W*", re.IGNORECASE)  # may count the options
 BECAUSE_FIRST = re.compile(rf"\W*(?:{BECAUSE})\b", re.IGNORECASE)
 CLAUSE_END = re.compile(r"\s*(?:[,;:(]|\.\s|\s[–-]\s)\s*")
@@ -176,7 +177,8 @@ def _content(text: str) -> list[str]:
 
 
 def _numbers(words: list[str]) -> set[str]:
-    return {word for word in words if word[0].isdigit()}
+    """Numbers, and which of several is meant: `as fast as the second` is not *as fast as the first*."""
+    return {word for word in words if word[0].isdigit() or word in ORDINALS}
 
 
 def _stem(word: str) -> str:
