@@ -77,7 +77,8 @@ def test_words_and_work_around_a_result_are_passed_over(text, question, value):
         ("0.8 m/s to the right, i.e. -0.8 m/s", VELOCITY), ("-0.8 m/s, i.e. 0.8 m/s", VELOCITY), ("0.8 m/s, so 0.9 m/s", VELOCITY), ("3 J to the left", MASS),
         ("4:66 min", TIME), ("twice 1.77 kg of it", MASS), ("half of the 1.77 kg", MASS), ("double: 1.77 kg", MASS), ("anything but 1.77 kg", MASS),
         ("it cannot be 1.77 kg", MASS), ("I doubt 1.77 kg", MASS), ("the uncertainty is 1.77 kg", MASS), ("the first 1.77 kg", MASS),
-        ("172 N oppositely", FORCE), ("172 N away from it", FORCE), ("it lacks 1.77 kg", MASS), ("nobody gets 172 N", FORCE),
+        ("172 N oppositely", FORCE), ("172 N away from it", FORCE), ("it lacks 1.77 kg", MASS), ("nobody gets 172 N", FORCE), ("172 N or -172 N", FORCE),
+        ("172 N, so -172 N", FORCE), ("172 N, i.e. -172 N", FORCE),
         ("0.433 m/s towards my son, to the right, i.e. -0.433 m/s", VELOCITY), ("between 7 s and 7.41 s", TIME), ("7.41 s too much", TIME), ("7.41 s short", TIME),
     ],
 )  # fmt: skip

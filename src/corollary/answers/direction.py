@@ -163,7 +163,7 @@ REFERENCE_BEHIND = re.compile(
 
 # `0.8 m/s to the left, i.e. -0.8 m/s`, `9.9 m/s, which is about 36 km/h`: one value, given twice.
 AGAIN = re.compile(
-    r"(?:\s*\(\s*|[,;]?\s+)(?:i\.e\.,?|that is,?|or|which is|which means|so|hence|thus|das sind|dvs\.?)\s+"
+    r"(?:\s*\(\s*|[,;]?\s+)(?:i\.e\.,?|that is,?|which is|which means|so|hence|thus|das sind|dvs\.?)\s+"
     r"(?:about |approximately |(?:the|its) (?:\w+ ){1,2}is )?(?:[^\W\d_]\w{0,3}\s*=\s*)?(?=[-+−]?\s?[0-9.,])",
     re.IGNORECASE,
 )
@@ -262,7 +262,8 @@ def _value_again(
     first, second = text[: found[0].start()], text[found[0].end() :].rstrip(" .)")
     spoken = [with_direction(Text(each), question, read, component) for each in (first, second)]
     if _is_unread(spoken[0]) and (sentence := sentence_in(first, 1, question)) is not None:
-        spoken[0] = read(Text(sentence.quantities[0]))
+        first_read = read(Text(sentence.quantities[0]))
+        spoken[0] = Unclear("", "", (first_read,)) if isinstance(first_read, Numbers) else first_read
     ways = {
         sign_of_way(word, question.positive)
         for word in re.findall(r"[^\W\d_]+", first.lower())
@@ -300,7 +301,7 @@ def _one_value(first: Answer, second: Answer) -> Answer | None:
             isinstance(first, Unclear) and _names_a_way(first.as_read)
         ):
             same = math.isclose(abs(one), abs(other), rel_tol=0.01)
-            clashes = isinstance(first, Numbers) and (first.in_words or one < 0) and one * other < 0
+            clashes = isinstance(first, Numbers) and one * other < 0
             return second if same and not clashes and not (second.misfit or second.missing) else None
         case _:
             return None
