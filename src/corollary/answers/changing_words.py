@@ -7,6 +7,8 @@ import re
 from corollary.answers.number_words import NUMBERS
 from corollary.answers.sign_words import SIGNS
 
+WORD = re.compile(r"[^\W\d_]+")
+NEGATIONS: str = "not no never neither nor none nicht kein keine nie ikke ingen aldri"
 CHANGES = (
     "minus plus times half third quarter twice double doubled triple thrice negative negativ negatives not no wrong false incorrect without except "
     "opposite reverse reversed inverse reciprocal root square squared cube cubed sine cosine tangent logarithm divided multiplied over "
@@ -39,3 +41,8 @@ ANOTHER_SIDE: str = (
     "off clockwise counterclockwise anticlockwise"
 )
 CONTRARY = frozenset(ANOTHER_SIDE.split())
+
+
+def words_of(text: str) -> set[str]:
+    """The words of a text, in small letters."""
+    return set(WORD.findall(text.lower()))

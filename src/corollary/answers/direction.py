@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
 from corollary.answers.bound import QUESTIONS
-from corollary.answers.changing_words import CONTRARY
+from corollary.answers.changing_words import CONTRARY, words_of
 from corollary.answers.left_side import CHANGE
 from corollary.answers.motion_words import way_behind
 from corollary.answers.positive_direction import REFERENCE_LINE, line_of, sign_of_way, sign_of_words
@@ -264,11 +264,7 @@ def _value_again(
     if _is_unread(spoken[0]) and (sentence := sentence_in(first, 1, question)) is not None:
         first_read = read(Text(sentence.quantities[0]))
         spoken[0] = Unclear("", "", (first_read,)) if isinstance(first_read, Numbers) else first_read
-    ways = {
-        sign_of_way(word, question.positive)
-        for word in re.findall(r"[^\W\d_]+", first.lower())
-        if word in SIGNS
-    }
+    ways = {sign_of_way(word, question.positive) for word in SIGNS.keys() & words_of(first)}
     second_way = -1 if isinstance(spoken[1], Numbers) and spoken[1].values[0] < 0 else 1
     if ways - {second_way} and _has_minus(spoken[1]):
         return None  # `3 N towards it, to the right, i.e. -3 N`
@@ -298,18 +294,13 @@ def _one_value(first: Answer, second: Answer) -> Answer | None:
     """What two sayings of one value come to: the second, where their sizes agree and no sign contradicts; else None."""
     match first, second:
         case (Numbers((one,)) | Unclear(readings=(Numbers((one,)), *_)), Numbers((other,))) if not (
-            isinstance(first, Unclear) and _names_a_way(first.as_read)
+            isinstance(first, Unclear) and SIGNS.keys() & words_of(first.as_read)
         ):
             same = math.isclose(abs(one), abs(other), rel_tol=0.01)
             clashes = isinstance(first, Numbers) and one * other < 0
             return second if same and not clashes and not (second.misfit or second.missing) else None
         case _:
             return None
-
-
-def _names_a_way(text: str) -> bool:
-    """True where a direction is named in words."""
-    return bool(SIGNS.keys() & set(re.findall(r"[^\W\d_]+", text.lower())))
 
 
 def _has_minus(answer: Answer) -> bool:
@@ -363,8 +354,7 @@ def _has_place(question: Question) -> bool:
 
 def _repeats(words: str, question: Question) -> bool:
     """True for words of the question itself beside what has no direction: `56 cm behind the mirror`, where just that is asked."""
-    spoken = {word.lower() for word in re.findall(r"[^\W\d_]+", words)}
-    known = {word.lower() for word in re.findall(r"[^\W\d_]+", f"{question.title} {question.text}")}
+    spoken, known = words_of(words), words_of(f"{question.title} {question.text}")
     return (
         not directed(question)
         and not spoken & SIGNS.keys()
@@ -375,8 +365,7 @@ def _repeats(words: str, question: Question) -> bool:
 
 def _is_contrary(words: str, question: Question) -> bool:
     """True where words may name the other side of what is asked for, and are not the question's own."""
-    spoken = {word.lower() for word in re.findall(r"[^\W\d_]+", words)}
-    known = {word.lower() for word in re.findall(r"[^\W\d_]+", question.text)}
+    spoken, known = words_of(words), words_of(question.text)
     named = re.search(r"\b[B-HJ-Z]\b|\bA\b(?! )|axis|-achse|-akse", words)
     if directed(question) and (OF_A_SIGN.search(words) or re.search("oppos|contrar", words, re.IGNORECASE)):
         return True

@@ -48,6 +48,10 @@ OVER = re.compile(rf"\b({DIGITS}|{'|'.join(TIMES_OVER)})\s+(?:times|mal|ganger)\
 IN_MINUTES = re.compile(
     r"\b([0-9]{1,3})\s*[°º]\s*([0-9]{1,2})\s*'(?:\s*([0-9]{1,2}(?:[.,][0-9]+)?)\s*(?:\"|″|''|”))?(?=\s*$)"
 )
+CLOCK = re.compile(
+    r"\s*(?P<large>[0-9]{1,4}):(?P<small>[0-5][0-9])\s*(?P<unit>min|minutes|h|hours)\.?\s*"
+)  # `4:06 min`
+MINUTES = re.compile(r"\s*([0-9]+)\s?(?:m|')\s?([0-9]+(?:[.,][0-9]+)?)\s?(?:s|''|\")\s*")  # `4m 6s`
 SHARE = re.compile(
     r"(?<=%)\s+(?:of|von|der|des|av)(?: (?:it|its|the|A|seiner|ihrer|dens|den)['’]?s?)?(?: (?:kinetic|total|initial|original|whole|kinetischen|gesamten))*"
     r"(?: (?:energy|momentum|speed|Energie|energien))?\s*$",
@@ -125,12 +129,6 @@ def in_digits(normalized: str, *, pure: bool) -> str:
     if found := FIRST.match(normalized):
         return found[1] + str(NUMBERS[found[2].lower()]) + normalized[found.end() :]
     return normalized
-
-
-CLOCK = re.compile(
-    r"\s*(?P<large>[0-9]{1,4}):(?P<small>[0-5][0-9])\s*(?P<unit>min|minutes|h|hours)\.?\s*"
-)  # `4:06 min`
-MINUTES = re.compile(r"\s*([0-9]+)\s?(?:m|')\s?([0-9]+(?:[.,][0-9]+)?)\s?(?:s|''|\")\s*")  # `4m 6s`
 
 
 def clock_in_units(text: str) -> str:

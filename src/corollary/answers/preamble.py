@@ -42,10 +42,12 @@ SENTENCE = re.compile(
     r"|it['’]s\s+(?=[-+]?[0-9.,√(])",
     re.IGNORECASE,
 )
+SO = "so|thus|hence|therefore"
+THEREFORE = rf"{SO}|damit|also|altså"
 # A clause of words that ends with a mark or a verb: `twice as much: 172 N`, `perpendicular to the wall, 90°`, `I calculated 172 N`.
 CLAUSE = re.compile(
     r"(?P<words>(?:[0-9]+ times|[^\W\d_]+(?:['’][^\W\d_]*)?)(?:,?[ -][^\W\d_]+(?:['’][^\W\d_]*)?){0,16})"
-    r"(?:\s*(?P<mark>[:;,.])\s+(?:(?:and\s+)?(?:so|thus|hence|therefore|that is|i\.e\.|namely|at|by|about|also|damit|altså)\s+)?|(?P<colon>:)|\s+)"
+    rf"(?:\s*(?P<mark>[:;,.])\s+(?:(?:and\s+)?(?:{THEREFORE}|that is|i\.e\.|namely|at|by|about)\s+)?|(?P<colon>:)|\s+)"
     r"(?:(?<=\s)[^\W\d_]\w{0,3}\s*=\s*|[ΔδdD∆][^\W\d_]\w?\s*=\s*)?(?=(?P<signed>[-−])?[+≈~]?\s*(?:[0-9]|[.,][0-9]|√))"
 )
 TIMES_AS = re.compile(r"\b\w+ times\b")
@@ -56,8 +58,8 @@ NO_WAY = re.compile(
     r"(?<=catches )up\b|(?<=catch )up\b|(?<=ends )up\b|(?<=adds )up\b"
 )  # verbs that name no direction
 AS_BEFORE = re.compile(r"\bas \w+ (?:as before|again)\b")
-CONCLUDING = re.compile(r", (?:and )?(?:so|thus|hence|therefore|damit|also|altså) ", re.IGNORECASE)
-CONCLUDES = re.compile(r", (?:and )?(?:so|thus|hence|therefore|namely|also|damit|altså)$", re.IGNORECASE)
+CONCLUDING = re.compile(rf", (?:and )?(?:{THEREFORE}) ", re.IGNORECASE)
+CONCLUDES = re.compile(rf", (?:and )?(?:{THEREFORE}|namely)$", re.IGNORECASE)
 RIGHT_ANGLE = re.compile(r"\bright angles?\b", re.IGNORECASE)
 LABEL = re.compile(r"[a-z][0-9]?\)\s+|\([a-z][0-9]?\)\s*(?=[-+≈=~]?\s*[0-9.,√])")
 NAME = rf"{SYMBOL}|\|{SYMBOL}\||<{SYMBOL}>"
@@ -68,14 +70,14 @@ COUNTED = re.compile(
 )
 # `v² = 2gh, so v = 12 m/s`: what is concluded is the answer.
 CONCLUSION = re.compile(
-    r"[^?=]*=[^?]*[,;.]\s*(?:and\s+)?(?:so|thus|hence|therefore|giving|which gives|damit|daher|also|dermed|altså)\s+(?:that\s+)?(?=[^=]*=)",
+    rf"[^?=]*=[^?]*[,;.]\s*(?:and\s+)?(?:{THEREFORE}|giving|which gives|daher|dermed)\s+(?:that\s+)?(?=[^=]*=)",
     re.IGNORECASE,
 )
 WORK = re.compile(
-    rf"(?P<work>[^?]*[=≈][^?]*?)\s*(?:[,;.]\s|→|⇒|⟹|=>|-{{1,2}}>)\s*(?:(?:and|so|thus|hence|therefore)\s+)*(?P<name>{NAME})\s*[=≈]\s*[-+]?[0-9.,√(][^=,;]*"
+    rf"(?P<work>[^?]*[=≈][^?]*?)\s*(?:[,;.]\s|→|⇒|⟹|=>|-{{1,2}}>)\s*(?:(?:and|{SO})\s+)*(?P<name>{NAME})\s*[=≈]\s*[-+]?[0-9.,√(][^=,;]*"
 )
 CONCLUDED = re.compile(
-    rf"[^=?]*[^\W\d_]{{2}}[^=?]*[,;.]\s*(?:and\s+)?(?:so|thus|hence|therefore)\s+(?=(?:{NAME})\s*[=≈])",
+    rf"[^=?]*[^\W\d_]{{2}}[^=?]*[,;.]\s*(?:and\s+)?(?:{SO})\s+(?=(?:{NAME})\s*[=≈])",
     re.IGNORECASE,
 )
 LEADING = (
@@ -198,12 +200,8 @@ def _skipped(text: str, in_a_sentence: bool) -> tuple[int, list[str]]:
         return blank, []
     if MINUS.match(text):
         return 0, []
-    if in_a_sentence and (clause := _clause(text))[0]:
-        return clause
-    if in_a_sentence and (end := CONCLUDED.match(text)) and not DENIED.search(end[0]):
-        return end.end(), []  # `p goes from -8.6 to 8.6, so F = 17.2/0.1 = 172 N`
-    if in_a_sentence and (work := WORK.fullmatch(text)) and not _names_a_value(work["work"], work["name"]):
-        return work.start("name"), []  # `v² = 2gh = 98, v = 9.90 m/s`
+    if in_a_sentence and (end := _sentence_before(text)):
+        return end, []
     for lead in LEADING:
         if (found := lead.match(text)) and found.end() < len(text):
             return found.end(), []
@@ -217,11 +215,22 @@ def _skipped(text: str, in_a_sentence: bool) -> tuple[int, list[str]]:
     return _last_side(text)
 
 
-def _clause(text: str) -> tuple[int, list[str]]:
+def _sentence_before(text: str) -> int:
+    """Where the words, or the work, before a result end; 0 where there are none."""
+    if end := _clause(text):
+        return end
+    if (concluded := CONCLUDED.match(text)) and not DENIED.search(concluded[0]):
+        return concluded.end()  # `p goes from -8.6 to 8.6, so F = 17.2/0.1 = 172 N`
+    if (work := WORK.fullmatch(text)) and not _names_a_value(work["work"], work["name"]):
+        return work.start("name")  # `v² = 2gh = 98, v = 9.90 m/s`
+    return 0
+
+
+def _clause(text: str) -> int:
     """The end of a clause of words before a number that none of them changes; 0 where there is no such clause."""
     found = CLAUSE.match(text)
     if found is None:
-        return 0, []
+        return 0
     concluded = None
     marked = bool(found["mark"] or found["colon"] or CONCLUDES.search(found["words"]))
     words = (
@@ -247,8 +256,8 @@ def _clause(text: str) -> tuple[int, list[str]]:
         or any(_is_unit(word) for before, word in pairwise(small) if before in ("in", "unit", "units"))
         or words[-1] in function_words()
     ):
-        return 0, []
-    return found.end(), []
+        return 0
+    return found.end()
 
 
 def _names_a_value(work: str, name: str) -> bool:
@@ -262,7 +271,8 @@ def _names_a_value(work: str, name: str) -> bool:
 
 def ways_before(text: str) -> WaysBefore | None:
     """A number without the clause before it that names its direction: `it flies back to the left at 9 m/s`."""
-    found = CLAUSE.match(text.lstrip())
+    text = text.lstrip()
+    found = CLAUSE.match(text)
     ways = tuple(word for word in found["words"].lower().split() if word in SIGNS) if found else ()
     if (
         found is None
@@ -270,10 +280,11 @@ def ways_before(text: str) -> WaysBefore | None:
         or not (found["mark"] or found["words"].lower().endswith((" at", " with", " by")))
     ):
         return None
-    rest = " ".join(word for word in found["words"].split() if word.lower() not in SIGNS)
-    clause = f"{rest or 'that'} is {text.lstrip()[found.end() :]}"
-    end, _sides = _clause(clause) if rest else (8, [])
-    return WaysBefore(text.lstrip()[found.end() :], ways) if end else None
+    rest, behind = (
+        " ".join(word for word in found["words"].split() if word.lower() not in SIGNS),
+        text[found.end() :],
+    )
+    return WaysBefore(behind, ways) if not rest or _clause(f"{rest} is {behind}") else None
 
 
 def _is_unit(word: str) -> bool:

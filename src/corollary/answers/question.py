@@ -28,7 +28,7 @@ class Question:
     stands beside them; `signature` is that of a
     function, `force(t, dt)`; `symbols` are the givens of the problem; `slope` is the angle that directions along a slope turn by;
     `rows` and `columns` are the labels of a table, `column_units` the units of its columns, where they are not all `unit`;
-    `ratio` is the sentence that says what is asked over what; `extreme` tells that a least or a greatest value is asked for;
+    `extreme` tells that a least or a greatest value is asked for;
     `positive` is the positive direction in the problem's words, `reference` is from what it counts an angle; `text` is
     that of the part.
     """
@@ -49,7 +49,6 @@ class Question:
     column_units: tuple[Unit, ...] = ()
     positive: str = ""
     reference: str = ""
-    ratio: str = ""
     extreme: Extreme = ""
     text: str = ""
 
@@ -63,6 +62,11 @@ class Question:
         """The names of the function's arguments."""
         inside = self.signature.partition("(")[2].rpartition(")")[0]
         return tuple(name.strip() for name in inside.split(",") if name.strip())
+
+    @property
+    def ratio(self) -> str:
+        """The text that says what is asked over what, where a plain number is asked for."""
+        return self.text if self.types == ("value",) and self.unit.bare else ""
 
     @property
     def symbol_names(self) -> list[str]:
@@ -91,7 +95,6 @@ class Question:
             "column_units": [each.text for each in self.column_units],
             "positive": self.positive,
             "reference": self.reference,
-            "ratio": self.ratio,
             "extreme": self.extreme,
             "text": self.text,
             "symbols": [(symbol.name, symbol.unit.text, symbol.meaning) for symbol in self.symbols],
@@ -118,7 +121,6 @@ class Question:
             tuple(map(unit, data["column_units"])),
             data["positive"],
             data["reference"],
-            data["ratio"],
             data["extreme"],
             data["text"],
         )

@@ -40,7 +40,6 @@ def question_of(problem: Problem, part: Part) -> Question:
         part.column_units,
         named_positive(problem.statement, part.text),
         angle_reference(problem.statement, f"{part.title} {part.text}"),
-        part.text if part.answer_type == "value" and part.unit.bare else "",
         extreme_asked(part.title, part.text),
         " ".join(part.text.split()),
     )

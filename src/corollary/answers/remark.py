@@ -29,7 +29,7 @@ NEUTRAL: str = (
     "bullet ball block car book wall body object person sphere rocket chain atom club racket track "
     "twice double much large same answer part result approximately approximation decimal rounded si unit units "
     "above over high hoch høyt higher than lowest point starting position table first second third bounce "
-    "perpendicular orthogonal total later molecules particles deep wide apart ray makes makes angle angles "
+    "perpendicular orthogonal later molecules particles deep wide apart ray makes angle angles "
     "straight change axis direction x x-axis x-direction horizontal counterclockwise counter-clockwise anticlockwise measured relative "
     "im mittel mittelwert durchschnitt betrag insgesamt mit ohne gewicht vor nach dem der die das beim stoß aufprall kurz gerundet "
     "kugel klotz "

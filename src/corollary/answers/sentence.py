@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.answers.changing_words import CHANGING, DENIED, OF_CHANGE
+from corollary.answers.changing_words import CHANGING, DENIED, OF_CHANGE, words_of
 from corollary.answers.number_words import NUMBERS
 from corollary.answers.preamble import HALF_OF_A_NAME, OF_A_SIGN
 from corollary.answers.question import Question
@@ -20,7 +20,7 @@ NUMBER = re.compile(
 )
 OTHER_SIGNS = re.compile(r"[^\w\s,.;:()'’-]|_")
 WORD = re.compile(r"[^\W\d_]+(?:['’][^\W\d_]+)?")
-ORDINALS = frozenset({"first", "second", "third", "other", "before", "initial", "initially", "last", "next"})
+OF_ORDER = frozenset({"first", "second", "third", "other", "before", "initial", "initially", "last", "next"})
 MOST_TOKENS = 4
 
 
@@ -52,7 +52,7 @@ def sentence_in(text: str, count: int, question: Question) -> QuantitySentence |
     words = [word.lower() for word in WORD.findall(between)]
     joining = {"and", "und", "og", "between", "first"} if count > 1 else {"and"}
     denied = ((CHANGING | OF_CHANGE) - SIGNS.keys() - NUMBERS.keys() - joining) - (
-        ORDINALS & {word.lower() for word in WORD.findall(f"{question.title} {question.text}")}
+        OF_ORDER & words_of(f"{question.title} {question.text}")
     )
     if (
         len(quantities) != count

@@ -7,11 +7,13 @@ import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from corollary.answers.changing_words import NEGATIONS
+
 MARK = "|"  # parts the ways to write one word; the first is the one that is printed
 ARTICLES = frozenset(["the", "a", "an", "der", "die", "das", "ein", "eine", "en", "et", "ei", "den", "det"])
 LONGEST, MOST_WORDS = 160, 8
 DENIALS: str = (
-    "not no never neither nor none nicht kein keine nie ikke ingen aldri or oder eller but rather than instead except unlike almost nearly like squashed "
+    f"{NEGATIONS} or oder eller but rather than instead except unlike almost nearly like squashed "
     "aber sondern men"
 )
 DENYING = frozenset(DENIALS.split())

@@ -131,18 +131,22 @@ def _in_one_text(text: str, question: Question) -> Read:
             return each
     elif (one := _along_one_axis(text, question)) is not None:
         return one
-    if (several := sentence_in(text, count, question)) is not None and not (
-        several.turned and question.unit.dimension in DIRECTED
+    if (
+        not are_axes(question.components)
+        and (ordered := _components_in_a_sentence(text, question)) is not None
     ):
-        ordered = by_names(several, question.components)
-        answer = (
-            _each([Text(each) for each in ordered], question)
-            if ordered and not are_axes(question.components)
-            else None
-        )
+        answer = _each([Text(each) for each in ordered], question)
         if isinstance(answer, Numbers):
             return answer
     return Unclear(sentence(found), as_typed(text))
+
+
+def _components_in_a_sentence(text: str, question: Question) -> tuple[str, ...] | None:
+    """The components of `the near one is at 0.76 m and the far one at 1.24 m`; None where a word may be the sign of one."""
+    several = sentence_in(text, len(question.components), question)
+    if several is None or (several.turned and question.unit.dimension in DIRECTED):
+        return None
+    return by_names(several, question.components)
 
 
 def _chosen(doubt: ParseError, question: Question) -> tuple[Numbers, ...]:

@@ -6,23 +6,20 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from corollary.answers.changing_words import NEGATIONS, words_of
 from corollary.answers.number_words import NUMBERS
 from corollary.answers.remark import BECAUSE
 
 MOST_WORDS = 24
 # Words that mean nothing by themselves; of `as large as` and `four times as high` the number is what counts.
 FILLING: str = (
-    "the a an of to in on at for from by with its it is it's are was be been being as that this those these they them he she his her i we you my think "
+    "the a an of to in on at for from by with its it is are was be been being as that this those these they them he she his her i we you my think "
     "answer option then so one ones will would should must can has have had do does did there here which what when just only really because since "
-    "make makes making made get gets becomes become large high big great much heavy strong far many also now still must"
+    "make makes making made get gets becomes become large high big great much heavy strong far many also now still"
 )
 FILLERS = frozenset(FILLING.split())
-ONLY = frozenset({"only", "just"})  # `the momentum only`: left out where nothing else is meant
 # What turns an option round, or takes it back: it stands on both sides or on neither.
-REVERSING: str = (
-    "not no never neither nor none nothing cannot without but except unless if or and while although yet opposite "
-    "nicht kein keine nie ikke ingen aldri oder eller und og"
-)
+REVERSING: str = f"{NEGATIONS} nothing cannot without but except unless if or and while although yet opposite oder eller und og"
 REVERSED = frozenset(REVERSING.split())
 SAME_AS: dict[str, str] = {
     "bigger": "larger", "greater": "larger", "higher": "larger", "increases": "larger", "lower": "smaller", "decreases": "smaller",
@@ -88,13 +85,14 @@ def option_worded(text: str, options: Mapping[str, str], question: str) -> Worde
     `question` are the words of the question, which a student may repeat.
     """
     known = {letter: _content(each) for letter, each in options.items()}
-    typed = _content(REASON.sub("", text))
-    whole = _worded(typed, known, question)
+    typed, repeated = _content(REASON.sub("", text)), set(_content(question))
+    whole = _worded(typed, known, repeated)
     if not whole.letter:  # `the elastic ball`, where it is asked which ball
-        rest = _worded([word for word in typed if word not in _content(question)], known, question)
+        rest = _worded([word for word in typed if word not in repeated], known, repeated)
         whole = Worded("" if _numbers(typed) else rest.letter, sure=False)
     first = CLAUSE_END.split(text, maxsplit=1)[0]
-    alone = _exactly(_content(first), known) if first != text else ""
+    of_first = _content(first) if first != text else []
+    alone = _exactly(of_first, known)
     if alone and not _begins_against(text[len(first) :]):
         return Worded(alone, sure=True)  # `just as long, the time does not depend on v`
     if whole.letter and _with_other_prepositions(text, options, whole.letter):
@@ -102,8 +100,7 @@ def option_worded(text: str, options: Mapping[str, str], question: str) -> Worde
     if (
         whole.letter
         and not whole.sure
-        and first != text
-        and _worded(_content(first), known, question) == Worded(whole.letter, sure=True)
+        and _worded(of_first, known, repeated) == Worded(whole.letter, sure=True)
     ):
         return Worded(whole.letter, sure=True)  # `it stays the same, the mass cancels`
     asked_why = question.rstrip(" .,:").lower().endswith(("because", "since", "weil", "fordi"))
@@ -126,17 +123,14 @@ def _begins_against(rest: str) -> bool:
 def _with_other_prepositions(text: str, options: Mapping[str, str], letter: str) -> bool:
     """True if a text has a preposition of another option that the one it means does not have."""
     typed, own = (
-        PREPOSITIONS & set(re.findall(r"[a-z]+", INFINITIVE.sub("", each.lower())))
-        for each in (text, options[letter])
+        PREPOSITIONS & words_of(INFINITIVE.sub("", each.lower())) for each in (text, options[letter])
     )
-    others = set[str]().union(
-        *(re.findall(r"[a-z]+", each.lower()) for key, each in options.items() if key != letter)
-    )
+    others = set[str]().union(*(words_of(each) for key, each in options.items() if key != letter))
     return bool((typed - own) & others)
 
 
-def _worded(typed: list[str], known: Mapping[str, list[str]], question: str) -> Worded:
-    """What the words of a text, without those that mean nothing, are among those of the options."""
+def _worded(typed: list[str], known: Mapping[str, list[str]], repeated: set[str]) -> Worded:
+    """What the words of a text, without those that mean nothing, are among those of the options; `repeated` are the question's."""
     if not typed or len(typed) > MOST_WORDS:
         return Worded("", sure=False)
     everywhere = set[str]().union(*known.values())
@@ -160,7 +154,6 @@ def _worded(typed: list[str], known: Mapping[str, list[str]], question: str) -> 
         return Worded("", sure=False)  # one of two
     in_order = [word for word in dict.fromkeys(option) if word in met] == list(dict.fromkeys(met))
     in_order = in_order or (len(set(met)) < 3 and "than" not in option)
-    repeated = set(_content(question))
     return Worded(letter, sure=in_order and all(word in everywhere | repeated | ADDED for word in typed))
 
 
