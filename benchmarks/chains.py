@@ -29,7 +29,7 @@ from corollary.answers.verdict import Follows, Right, word
 from corollary.formula.ball import Undefined, precision_of
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
-from corollary.grading.misconception_values import wrong_values
+from corollary.grading.mistakes import wrong_values
 from corollary.grading.replay import BY_THE_RULES, WhatIf, ancestors, replay
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_order, files, open_bank

@@ -19,9 +19,10 @@ from corollary.derive.solution import ClosedForms, Solution
 from corollary.formula.ast import Expr, Number, Power, children, names, rebuilt
 from corollary.formula.ball import RationalPi, Undefined
 from corollary.formula.value import Items, Text, Value
-from corollary.grading.assign import admitted, visible_mistakes
+from corollary.grading.assign import admitted
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
+from corollary.grading.mistakes import visible_mistakes
 from corollary.grading.replay import WhatIf, replay
 from corollary.problem.part import Part
 from corollary.problem.sampling import sample

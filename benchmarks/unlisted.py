@@ -23,8 +23,7 @@ from corollary.formula.ball import Undefined
 from corollary.formula.value import Text
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
-from corollary.grading.one_change import changes
-from corollary.grading.unlisted_rules import UnlistedRule, rules_near
+from corollary.grading.unlisted_rules import UnlistedRule, changes, rules_near
 from corollary.problem.sampling import sample
 from corollary.records.unlisted import DrawnLetters, SharedRule, shared_rules
 

@@ -16,9 +16,10 @@ from corollary.answers.option_names import option_named
 from corollary.answers.verdict import Mistaken, Right
 from corollary.formula.ball import Undefined
 from corollary.formula.value import Items, Text, Value
-from corollary.grading.assign import admitted, visible_mistakes
+from corollary.grading.assign import admitted
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
+from corollary.grading.mistakes import visible_mistakes
 from corollary.grading.replay import WhatIf, replay
 from corollary.problem.sampling import sample
 from corollary.units.unit import show

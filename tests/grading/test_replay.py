@@ -14,7 +14,7 @@ from corollary.formula.ball import Undefined
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.key import make_key
-from corollary.grading.misconception_values import wrong_values
+from corollary.grading.mistakes import wrong_values
 from corollary.grading.replay import BY_THE_RULES, WhatIf, ancestors, exchanged, replay, simulated
 from corollary.problem.variant import chosen
 

@@ -7,7 +7,7 @@ from tests.derive.conftest import make, problem_of
 from tests.derive.test_cases import ASKS, FRONT
 
 from corollary.derive.solve import solve
-from corollary.grading.assign import visible_mistakes
+from corollary.grading.mistakes import visible_mistakes
 
 __all__ = ["make"]
 

@@ -25,7 +25,8 @@ class FollowThrough:
     `misconceptions` and `slips` are the values that a known misconception, or a slip in what goes into the formulas, makes of
     it; with each the sentence that the student reads. None where the way is not the author's: then only the value itself counts.
     `moved` is the value with each number of those answers moved by half of its last figure: whoever went on with more figures
-    than were written down comes to something between. None where nothing was rounded.
+    than were written down comes to something between. `turned` are the values with the sign of one term of the part's own formula
+    the other way round.
     """
 
     values: Values

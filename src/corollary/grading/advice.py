@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator, Sequence, Set
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import islice
 
 from corollary.answers.registry import answer_type
-from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, SolvedChoice, Unknown
+from corollary.derive.solution import AppliedLaw, ClosedForms, SolvedChoice, Unknown
 from corollary.formula.ast import Expr, Name, names
 from corollary.formula.ball import RationalPi, Undefined, certified
 from corollary.grading.key import Key
-from corollary.grading.replay import letters_of
+from corollary.grading.replay import letters_of, steps_to
 from corollary.messages import catalogue, spoken
 from corollary.problem.given import Given
 from corollary.problem.part import Part
@@ -78,20 +78,6 @@ def advice_for(key: Key, part: Part, wrong_before: int | None) -> str:
 def _steps(key: Key, asked: Unknown) -> list[Unknown]:
     """The step that answers the part, and before it those that lead to it and that the sheet does not ask for."""
     return steps_to(key.solution, asked, key.asked)
-
-
-def steps_to(solution: Solution, asked: Unknown, known: Set[str]) -> list[Unknown]:
-    """The step that answers the part, and those that lead to it from the givens and from the parts that are `known`; from the
-    last back."""
-    homes = {name: find for find in solution.unknowns for name in find.names}
-    found, left = list[Unknown](), [asked]
-    while left:
-        step = left.pop()
-        if all(step is not each for each in found):
-            found.append(step)
-            before = (homes[name] for name in sorted(letters_of(step.local)) if name in homes)
-            left += [each for each in before if each.part not in known]
-    return found
 
 
 def _used(key: Key, steps: Iterable[Unknown]) -> list[Given]:

@@ -3,26 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from itertools import islice, product
 
 from corollary.answers.choice.option_text import alike
 from corollary.answers.evaluation import balls
-from corollary.answers.expected import Values
 from corollary.answers.questions import question_in
 from corollary.answers.registry import answer_type
 from corollary.answers.spellings import spelled_alike
-from corollary.answers.tolerance import within
-from corollary.derive.solution import Rule, Solution, once
-from corollary.derive.statements import Mistake
-from corollary.formula.ball import RationalPi, Undefined, holds
+from corollary.derive.solution import Solution
+from corollary.formula.ball import Undefined
 from corollary.grading.key import Key, make_key, named
-from corollary.grading.replay import WhatIf, ancestors, exchanged, letters_of, replay
+from corollary.grading.mistakes import visible_mistakes
+from corollary.grading.replay import exchanged
 from corollary.grading.rounding import MOST_TOLERANCE
 from corollary.problem.part import Part
-from corollary.problem.sampling import draws, sample
-from corollary.problem.variant import Variant, chapter, first_broken
+from corollary.problem.sampling import draws
+from corollary.problem.variant import Variant, chapter
 from corollary.units.unit import show
 
 APART = 0.005  # of the length: as much again as the least tolerance, so that a mistake rounded is not right either
@@ -154,120 +151,3 @@ def collisions(key: Key) -> Iterable[tuple[str, str]]:
             continue
         if truth.is_met_by(values, APART):
             yield each.part, each.mistake.text
-
-
-@dataclass(frozen=True, slots=True)
-class VisibleMistake:
-    """A mistake at the step `place` that changes a part where it shows first, the part of the step `at`."""
-
-    place: int
-    mistake: Mistake[Rule]
-    part: str
-    at: int
-
-
-@once
-def visible_mistakes(solution: Solution) -> list[VisibleMistake]:
-    """In the order of the steps, and of their mistakes."""
-    places = {find.part: place for place, find in enumerate(solution.unknowns) if find.part}
-    return [
-        VisibleMistake(place, mistake, part, places[part])
-        for place, find in enumerate(solution.unknowns)
-        for mistake in find.mistakes
-        for part in _first_asked(solution, place)
-        if _differs(solution, place, mistake.rule, places[part])
-    ]
-
-
-def hidden_mistakes(solution: Solution) -> Iterator[tuple[int, Mistake[Rule], list[str]]]:
-    """Mistakes that change no part, each with the place of its step and the parts where it would show first: no number is kept
-    from being dealt for them."""
-    visible = {(each.place, each.mistake.line, each.mistake.text) for each in visible_mistakes(solution)}
-    for place, find in enumerate(solution.unknowns):
-        for mistake in find.mistakes:
-            if (place, mistake.line, mistake.text) not in visible:
-                yield place, mistake, _first_asked(solution, place)
-
-
-def _first_asked(solution: Solution, place: int) -> list[str]:
-    """The parts where a mistake at a step shows first."""
-    find = solution.unknowns[place]
-    if find.part:
-        return [find.part]
-    parts: list[str] = []
-    for later, other in enumerate(solution.unknowns[place + 1 :], place + 1):
-        if other.part and place in ancestors(solution, later) and _unasked_way(solution, place, later):
-            parts.append(other.part)
-    return parts
-
-
-def _differs(solution: Solution, place: int, rule: Rule, at: int) -> bool:
-    """Whether exchanging a rule changes a find for some numbers: the printed ones, where it may coincide, or those of other draws."""
-    return place == at or any(
-        _differs_for(solution, givens, place, rule, at) for givens in numbers_tried(solution)
-    )
-
-
-def numbers_tried(solution: Solution) -> Iterator[Mapping[str, RationalPi]]:
-    """The printed numbers first, which mostly decide; of a case, only numbers for which it holds."""
-    own = chapter(solution.problem).exact
-    if _in_case(solution, own):
-        yield own
-    yield from _other_numbers(solution)
-
-
-@once
-def _other_numbers(solution: Solution) -> list[dict[str, RationalPi]]:
-    """Draws, then corners of the grid, where a mistake of a small effect shows most."""
-    problem = solution.problem
-    found = sample(problem, TRIED * (5 if solution.conditions else 1), salt="mistakes")
-    fitting = [each.exact for each in found if _in_case(solution, each.exact)][:TRIED]
-    ends = [(0, given.grid.count - 1) if given.grid.count > 1 else (0,) for given in problem.givens]
-    for places in islice(product(*ends), CORNERS):
-        values = {given.symbol: given.grid[at] for given, at in zip(problem.givens, places, strict=True)}
-        variant = Variant(problem, values, None)
-        if first_broken(variant) is None and _in_case(solution, variant.exact):
-            fitting.append(variant.exact)
-    return fitting
-
-
-def _in_case(solution: Solution, givens: Mapping[str, RationalPi]) -> bool:
-    try:
-        return all(holds(each, givens) for each in solution.conditions)
-    except Undefined:
-        return False
-
-
-def _differs_for(
-    solution: Solution, givens: Mapping[str, RationalPi], place: int, rule: Rule, at: int
-) -> bool:
-    try:
-        truth = replay(solution, givens, until=at)[at]
-        other = replay(solution, givens, WhatIf(rules={place: rule}), at)[at]
-    except Undefined:
-        return False
-    if not solution.problem.part(solution.unknowns[at].part).rows:
-        return not _alike(other, truth)
-    return not all(_alike((mine,), (theirs,)) for mine, theirs in zip(other, truth, strict=True))
-
-
-def _alike(values: Values, truth: Values) -> bool:
-    return within(values, truth, SAME, max(map(abs, truth), default=0.0) or 1.0)
-
-
-def _unasked_way(solution: Solution, start: int, end: int) -> bool:
-    """Whether a way of rules leads from one find to another over finds nobody is asked about."""
-    names_of: Mapping[str, int] = {
-        name: place for place, find in enumerate(solution.unknowns) for name in find.names
-    }
-    todo, seen = [end], set[int]()
-    while todo:
-        place = todo.pop()
-        for name in letters_of(solution.unknowns[place].local):
-            above = names_of.get(name)
-            if above == start:
-                return True
-            if above is not None and above not in seen and not solution.unknowns[above].part:
-                seen.add(above)
-                todo.append(above)
-    return False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -11,7 +11,6 @@ from corollary.answers.evaluation import as_exact, number
 from corollary.answers.expected import (
     Claim,
     Expected,
-    FollowThrough,
     NamedLaw,
     Point,
     Quantity,
@@ -28,7 +27,7 @@ from corollary.formula.ball import RationalPi, Undefined, certified
 from corollary.grading.follow_through import AsWritten, consequences
 from corollary.grading.forces_on_body import free_body
 from corollary.grading.key import Key, Truth, named
-from corollary.grading.misconception_values import slips_of_input, wrong_formulas, wrong_values
+from corollary.grading.mistakes import overlooked, wrong_formulas
 from corollary.grading.replay import replay
 from corollary.grading.rounded_by_hand import explained_by_rounding
 from corollary.problem.given import Given
@@ -54,7 +53,7 @@ def expected_of(
     return Expected(
         question_in(replace(key.variant, problem=replace(key.variant.problem, renamed=())), part),
         None if truth is None else _quantity(key, truth, earlier or {}, written),
-        None if letter is None else RightOption(letter, _overlooked(key, part)),
+        None if letter is None else RightOption(letter, overlooked(key, part)),
         _requirement(key, part.id) if part.id in key.solution.examples else None,
         _claim(key, part.id) if part.id in key.solution.proofs else None,
         rubric=rubric_of(key, part.id) if truth is None else (),
@@ -63,12 +62,6 @@ def expected_of(
         if part.id in key.solution.forces
         else None,
     )
-
-
-def _overlooked(key: Key, part: Part) -> Mapping[str, str]:
-    """What each wrong option overlooks, by its letter on the sheet."""
-    mistakes = key.solution.choices[part.id].mistakes
-    return {part.letter_asked(letter): text for letter, text in mistakes.items()}
 
 
 def _quantity(
@@ -83,31 +76,14 @@ def _quantity(
         key.find(truth).in_givens,
         partial(domain, key.variant.problem),
         partial(wrong_formulas, key, truth.place),
-        partial(_follow_through, key, truth, {}, None),
-        partial(_follow_through, key, truth, earlier, written),
+        partial(consequences, key, truth, {}),
+        partial(consequences, key, truth, earlier, written),
         truth.scales,
         truth.residue,
         truth.counted,
         truth.signed,
         explained_by_rounding=partial(explained_by_rounding, key, truth),
     )
-
-
-def _follow_through(
-    key: Key, truth: Truth, earlier: Mapping[str, Values], written: Mapping[str, AsWritten] | None
-) -> Iterator[FollowThrough]:
-    for each in consequences(key, truth, earlier, written):
-        if each.what_if is None:
-            yield FollowThrough(each.values, each.earlier, moved=each.moved, turned=each.turned)
-        else:
-            yield FollowThrough(
-                each.values,
-                each.earlier,
-                partial(wrong_values, key, truth, each.what_if),
-                partial(slips_of_input, key, truth, each.what_if),
-                each.moved,
-                each.turned,
-            )
 
 
 def _requirement(key: Key, part: str) -> Requirement:

@@ -10,11 +10,12 @@ from functools import partial
 from itertools import combinations, islice
 
 from corollary.answers.evaluation import BITS, as_exact, balls, numbers
-from corollary.answers.expected import Values
+from corollary.answers.expected import FollowThrough, Values
 from corollary.derive.solution import ClosedForms, Rule, Solution, Way
 from corollary.formula.ast import Expr, Name, Negative, Sum, children, rebuilt
 from corollary.formula.ball import Undefined, precision_of
 from corollary.grading.key import Key, Truth
+from corollary.grading.mistakes import slips_of_input, wrong_values
 from corollary.grading.replay import WhatIf, ancestors, replay, without_noise
 
 MOST = 6  # wrong earlier answers combined: 64 choices of them, each by every route
@@ -22,22 +23,6 @@ ABSURD = 1050.0  # times too large or too small: a power of ten is still followe
 COPIED = 1e-9
 MOST_TURNED = 16  # terms of a formula: of a longer one the first
 CANCELLED = 1e-13  # of the part: what two doubles leave of each other
-
-
-@dataclass(frozen=True, slots=True)
-class Consequence:
-    """A value of a part, and which wrong earlier answers it follows from.
-
-    `what_if` is the replay that gave it, for mistakes to be made in it; None where it was found along a way of its own.
-    `moved` are the values with each number of the student's moved by half of its last figure, `turned` those with the sign of one term
-    of the part's own formula the other way round.
-    """
-
-    values: Values
-    earlier: tuple[str, ...]
-    what_if: WhatIf | None
-    moved: Callable[[], Iterator[Values]]
-    turned: Callable[[], Iterator[Values]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +64,7 @@ def from_student(
 
 def consequences(
     key: Key, truth: Truth, answers: Mapping[str, Values], written: Mapping[str, AsWritten] | None = None
-) -> Iterator[Consequence]:
+) -> Iterator[FollowThrough]:
     """The part's value for the student's own earlier answers: first for none of them, then for every combination.
 
     First along the author's order, then along the other ways of the derivation. What makes the part nothing, which everybody can
@@ -106,7 +91,7 @@ def same_as(solution: Solution, place: int) -> str:
     return ""
 
 
-def _in_order(key: Key, truth: Truth, given: FromStudent) -> Iterator[Consequence]:
+def _in_order(key: Key, truth: Truth, given: FromStudent) -> Iterator[FollowThrough]:
     """Replayed as the author found it. Right answers are held along with the others, so that rounding them is never a fault."""
     solution = key.solution
     above = ancestors(solution, truth.place)
@@ -125,9 +110,13 @@ def _in_order(key: Key, truth: Truth, given: FromStudent) -> Iterator[Consequenc
                     except Undefined:
                         continue
                     what_if = _what_if(key, truth, rule, own)
-                    turned = partial(_turned_in_order, key, truth, rule, own)
-                    yield Consequence(
-                        values, parts, what_if, partial(_moved, work, own, given.written, values), turned
+                    yield FollowThrough(
+                        values,
+                        parts,
+                        partial(wrong_values, key, truth, what_if),
+                        partial(slips_of_input, key, truth, what_if),
+                        partial(_moved, work, own, given.written, values),
+                        partial(_turned_in_order, key, truth, rule, own),
                     )
 
 
@@ -144,7 +133,7 @@ def _replayed(key: Key, truth: Truth, rule: Rule | None, held: Mapping[str, Valu
     return without_noise(key.solution, givens, what_if, truth.place, truth.scale)
 
 
-def _by_paths(key: Key, truth: Truth, given: FromStudent) -> Iterator[Consequence]:
+def _by_paths(key: Key, truth: Truth, given: FromStudent) -> Iterator[FollowThrough]:
     """By the formulas of the derivation's other ways, where one of the answers they start from is wrong."""
     if not given.wrong:
         return
@@ -159,8 +148,8 @@ def _by_paths(key: Key, truth: Truth, given: FromStudent) -> Iterator[Consequenc
             values = work(own)
         except Undefined:
             continue
-        turned = partial(_turned_along, key, truth, path, own)
-        yield Consequence(values, wrong, None, partial(_moved, work, own, given.written, values), turned)
+        moved = partial(_moved, work, own, given.written, values)
+        yield FollowThrough(values, wrong, moved=moved, turned=partial(_turned_along, key, truth, path, own))
 
 
 def _along(key: Key, truth: Truth, path: Way, own: Mapping[str, Values]) -> Values:

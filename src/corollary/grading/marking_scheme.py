@@ -14,9 +14,8 @@ from corollary.derive.worked_solution import model_answer
 from corollary.formula.ast import Expr, names, substitute
 from corollary.grading.follow_through import same_as
 from corollary.grading.key import Key, Truth
-from corollary.grading.misconception_values import wrong_values
+from corollary.grading.mistakes import overlooked, wrong_values
 from corollary.grading.points import share
-from corollary.grading.replay import BY_THE_RULES
 from corollary.problem.part import Part
 from corollary.problem.problem_set import Scheme
 
@@ -95,9 +94,11 @@ def marking_scheme(key: Key, scheme: Scheme, weight: float = 1.0) -> tuple[PartS
 
 def _part(key: Key, part: Part, scheme: Scheme, out_of: float) -> PartScheme:
     truth = key.truths.get(part.id)
-    mistakes = _overlooked(key, part, out_of * share(Mistaken(""), scheme, part.answer_type))
     if truth is not None:
         mistakes = tuple(_mistakes(key, part, truth, scheme, out_of))
+    else:
+        points = out_of * share(Mistaken(""), scheme, part.answer_type)
+        mistakes = tuple(KnownMistake((), *each, points) for each in overlooked(key, part).items())
     return PartScheme(
         part,
         out_of,
@@ -111,18 +112,10 @@ def _part(key: Key, part: Part, scheme: Scheme, out_of: float) -> PartScheme:
     )
 
 
-def _overlooked(key: Key, part: Part, points: float) -> tuple[KnownMistake, ...]:
-    """What those overlook who take a wrong option, by its letter on the sheet."""
-    if part.id not in key.solution.choices:
-        return ()
-    found = key.solution.choices[part.id].mistakes.items()
-    return tuple(KnownMistake((), part.letter_asked(letter), text, points) for letter, text in found)
-
-
 def _mistakes(key: Key, part: Part, truth: Truth, scheme: Scheme, out_of: float) -> Iterator[KnownMistake]:
     """Each value that a misconception gives, once, unless it cannot be told from the truth."""
     seen: list[Values] = []
-    for values, sentence in wrong_values(key, truth, BY_THE_RULES):
+    for values, sentence in wrong_values(key, truth):
         if any(replace(truth, values=other).is_met_by(values) for other in (truth.values, *seen)):
             continue
         seen.append(values)

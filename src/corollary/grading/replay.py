@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Set
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
@@ -176,3 +176,17 @@ def letters_of(rule: Rule) -> frozenset[str]:
     """Every letter that a rule mentions."""
     trees = rule.trees if isinstance(rule, ClosedForms) else rule.settings.values()
     return frozenset[str]().union(*map(names, trees))
+
+
+def steps_to(solution: Solution, asked: Unknown, known: Set[str]) -> list[Unknown]:
+    """The step that answers the part, and those that lead to it from the givens and from the parts that are `known`; from the
+    last back."""
+    homes = {name: find for find in solution.unknowns for name in find.names}
+    found, left = list[Unknown](), [asked]
+    while left:
+        step = left.pop()
+        if all(step is not each for each in found):
+            found.append(step)
+            before = (homes[name] for name in sorted(letters_of(step.local)) if name in homes)
+            left += [each for each in before if each.part not in known]
+    return found

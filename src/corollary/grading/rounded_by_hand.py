@@ -11,7 +11,7 @@ from corollary.derive.solution import ClosedForms
 from corollary.formula.arithmetics import DOUBLES, Arithmetic, Evaluation, NotAvailable, ready
 from corollary.formula.ball import Undefined, certified
 from corollary.grading.key import Key, Truth
-from corollary.grading.one_change import changes
+from corollary.grading.unlisted_rules import changes
 
 FIGURES = 2
 SAME = 2e-3  # relative: an answer of three figures tells it from another

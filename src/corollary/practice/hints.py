@@ -17,9 +17,9 @@ from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
 from corollary.formula.ast import Expr, Name, Number, names
 from corollary.formula.ball import Undefined, certified
 from corollary.formula.latex import latex, letter, vector
-from corollary.grading.advice import advice_for, steps_to
+from corollary.grading.advice import advice_for
 from corollary.grading.key import Key
-from corollary.grading.replay import letters_of
+from corollary.grading.replay import letters_of, steps_to
 from corollary.messages import catalogue
 from corollary.problem.part import Part
 

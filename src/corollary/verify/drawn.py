@@ -12,10 +12,11 @@ from corollary.derive.solution import Solution
 from corollary.formula.ball import Undefined
 from corollary.formula.numerals import decimal_text
 from corollary.formula.plain_text import text
-from corollary.grading.assign import admitted, visible_mistakes
+from corollary.grading.assign import admitted
 from corollary.grading.forces_on_body import as_answered, as_people_say, free_body
 from corollary.grading.key import Key, make_key
-from corollary.grading.replay import WhatIf, without_noise
+from corollary.grading.mistakes import visible_mistakes
+from corollary.grading.replay import without_noise
 from corollary.problem.part import Part
 from corollary.problem.sampling import spread
 from corollary.problem.variant import Variant, chapter, first_broken
@@ -138,10 +139,9 @@ def _foreseen(key: Key, part: Part) -> Iterator[Foreseen]:
     for each in visible_mistakes(solution):
         if each.part != part.id:
             continue
-        what_if = WhatIf(rules={each.place: each.mistake.rule})
         try:
             scale = key.truths[part.id].scale
-            values = without_noise(solution, key.variant.exact, what_if, each.at, scale)
+            values = without_noise(solution, key.variant.exact, each.what_if, each.at, scale)
         except Undefined:
             yield Foreseen(each.mistake.text, "")
         else:

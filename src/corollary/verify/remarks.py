@@ -6,21 +6,20 @@ import math
 from collections.abc import Iterator
 
 from corollary.answers.expected import Values
-from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown
-from corollary.derive.statements import Code, Mistake, Plot
+from corollary.derive.solution import ClosedForms, SceneOutcome, Solution, Unknown
+from corollary.derive.statements import Code, Plot
 from corollary.derive.worked_solution import unexplained
 from corollary.formula.ast import Relation, names
 from corollary.formula.ball import Undefined
-from corollary.grading.assign import hidden_mistakes, numbers_tried
 from corollary.grading.key import Key
-from corollary.grading.replay import WhatIf, replay
+from corollary.grading.mistakes import ListedMistake, hidden_mistakes, numbers_tried, own_mistakes
+from corollary.grading.replay import replay
 from corollary.problem.bank import Bank
 from corollary.problem.packed_pictures import unused
 from corollary.problem.problem import Problem
 from corollary.verify.checked import Tally
 from corollary.verify.obligations.algebra import Algebra
 from corollary.verify.obligations.box import Box
-from corollary.verify.obligations.claims import mistaken
 
 SAME = 1e-9  # relative: doubles of one value by two ways
 
@@ -31,35 +30,32 @@ def check_hidden_mistakes(bank: Bank, solution: Solution, tally: Tally) -> None:
     every = [each.solution for each in solution.regimes] or [solution]
     met: set[tuple[int, str]] = set()
     for one in every:
-        for place, mistake, parts in hidden_mistakes(one):
+        for each, in_parts in hidden_mistakes(one):
+            mistake = each.mistake
             if (mistake.line, mistake.text) in met:
                 continue
             met.add((mistake.line, mistake.text))
-            is_fault, why = _reason(one, place, mistake, parts)
+            is_fault, why = _reason(one, each, in_parts)
             (tally.complain if is_fault else tally.note)(
                 f"{file}:{mistake.line}: the mistake {mistake.text!r} {why}"
             )
 
 
-def _reason(solution: Solution, place: int, mistake: Mistake[Rule], parts: list[str]) -> tuple[bool, str]:
+def _reason(solution: Solution, own: ListedMistake, in_parts: list[ListedMistake]) -> tuple[bool, str]:
     """Whether it is a fault, and why the mistake is never met."""
-    names = ", ".join(solution.unknowns[place].names)
-    if not parts:
+    names = ", ".join(solution.unknowns[own.place].names)
+    if not in_parts:
         return False, f"is never met: no part is made of {names}; ask for it, or leave the mistake out"
-    outcomes = list(_outcomes(solution, place, mistake))
+    outcomes = list(_outcomes(solution, own))
     tried = f"all {len(outcomes)} numbers tried" if len(outcomes) > 1 else "the printed numbers"
     if "differs" not in outcomes and "same" not in outcomes:
         return True, f"has no value for {tried}: correct its law, or leave it out"
     if "differs" not in outcomes:
-        how = "for all numbers, by algebra" if _identical(solution, place, mistake, place) else f"for {tried}"
+        how = "for all numbers, by algebra" if _identical(solution, own) else f"for {tried}"
         return True, f"gives the same {names} as the step itself {how}: correct its law, or leave it out"
-    every = len(parts) > 1
-    asked = f"part{'s' * every} {', '.join(parts)}"
-    proven = all(
-        _identical(solution, place, mistake, at)
-        for at, find in enumerate(solution.unknowns)
-        if find.part in parts
-    )
+    every = len(in_parts) > 1
+    asked = f"part{'s' * every} {', '.join(each.part for each in in_parts)}"
+    proven = all(_identical(solution, each) for each in in_parts)
     how = "for all numbers, by algebra" if proven else f"for {tried}"
     return False, (
         f"changes {names}, and leaves {asked} as {'they are' if every else 'it is'} {how}: "
@@ -67,15 +63,15 @@ def _reason(solution: Solution, place: int, mistake: Mistake[Rule], parts: list[
     )
 
 
-def _outcomes(solution: Solution, place: int, mistake: Mistake[Rule]) -> Iterator[str]:
+def _outcomes(solution: Solution, own: ListedMistake) -> Iterator[str]:
     """For each of the numbers tried: `same`, `differs`, or `undefined` where the mistake has no value."""
     for givens in numbers_tried(solution):
         try:
-            truth = replay(solution, givens, until=place)[place]
+            truth = replay(solution, givens, until=own.place)[own.place]
         except Undefined:
             continue
         try:
-            other = replay(solution, givens, WhatIf(rules={place: mistake.rule}), place)[place]
+            other = own.values(solution, givens)
         except Undefined:
             yield "undefined"
             continue
@@ -86,9 +82,9 @@ def _outcomes(solution: Solution, place: int, mistake: Mistake[Rule]) -> Iterato
         yield "same" if alike else "differs"
 
 
-def _identical(solution: Solution, place: int, mistake: Mistake[Rule], at: int) -> bool:
-    """True if algebra shows that the find at `at` is the same with the mistake as without."""
-    wrong, truth = mistaken(solution, place, mistake.rule, at), solution.unknowns[at].in_givens
+def _identical(solution: Solution, each: ListedMistake) -> bool:
+    """True if algebra shows that what is looked at is the same with the mistake as without."""
+    wrong, truth = each.formulas(solution), solution.unknowns[each.at].in_givens
     if wrong is None or truth is None:
         return False
     need = [Relation("=", mine, theirs) for mine, theirs in zip(wrong, truth, strict=True)]
@@ -187,21 +183,19 @@ def _few(solution: Solution) -> Iterator[tuple[int, str]]:
 
 def _alike(key: Key) -> Iterator[tuple[int, str]]:
     """Mistakes of one unknown that give the same value: whoever makes either is told the first."""
-    for place, find in enumerate(key.solution.unknowns):
+    for place in range(len(key.solution.unknowns)):
         met: list[tuple[str, Values]] = []
-        for mistake in find.mistakes:
+        for each in own_mistakes(key.solution, place):
             try:
-                values = replay(key.solution, key.variant.exact, WhatIf(rules={place: mistake.rule}), place)[
-                    place
-                ]
+                values = each.values(key.solution, key.variant.exact)
             except Undefined:
                 continue
             for text, other in met:
                 if math.dist(values, other) <= SAME * math.hypot(*values, *other):
                     yield (
-                        mistake.line,
+                        each.mistake.line,
                         f"this mistake gives the same value as {text!r}; students are told that",
                     )
                     break
             else:
-                met.append((mistake.text, values))
+                met.append((each.mistake.text, values))

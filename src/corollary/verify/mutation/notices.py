@@ -21,8 +21,9 @@ from corollary.derive.statements import Choice, Confirm, Forces, Printed, Step
 from corollary.formula.arithmetics import DOUBLES, Evaluation, NotAvailable, ready
 from corollary.formula.ast import Name, Relation
 from corollary.formula.from_sympy import NoTree, tree
-from corollary.grading.assign import APART, VisibleMistake, visible_mistakes
+from corollary.grading.assign import APART
 from corollary.grading.key import Key
+from corollary.grading.mistakes import ListedMistake, visible_mistakes
 from corollary.grading.neglect import neglected_in
 from corollary.grading.replay import ancestors
 from corollary.grading.signs import size_asked
@@ -392,7 +393,7 @@ class Checks:
 
     def _coincides(
         self,
-        each: VisibleMistake,
+        each: ListedMistake,
         spot: MutationSpot,
         now: BentValues,
         steps: Mapping[int, BentEquations],
@@ -423,7 +424,7 @@ class Checks:
             return replace(true, values=truth, scales=scaled).is_met_by(values, APART)
         return within(values, truth, true.tolerance + APART, math.hypot(*truth) or true.scale)
 
-    def _unexchanged(self, each: VisibleMistake) -> set[int]:
+    def _unexchanged(self, each: ListedMistake) -> set[int]:
         """The laws of its step, by identity, that a mistake keeps: where one of them is bent, what it leads to is another."""
         found = self.case.every[each.place]
         if not isinstance(found.entry, Step):

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations, product
 
-from corollary.derive.solution import AppliedLaw, ClosedForms, Rule, Solution, Unknown
+from corollary.derive.solution import AppliedLaw, Solution, Unknown
 from corollary.formula.ast import (
     Call,
     Expr,
@@ -25,8 +25,8 @@ from corollary.formula.ast import (
 )
 from corollary.formula.exact import constant
 from corollary.formula.operators import has_operators
-from corollary.grading.assign import APART, visible_mistakes
-from corollary.grading.replay import ancestors
+from corollary.grading.assign import APART
+from corollary.grading.mistakes import own_mistakes, visible_mistakes
 from corollary.grading.rounding import MOST_TOLERANCE
 from corollary.grading.signs import size_asked
 from corollary.verify.obligations.obligation import Clause, Equations, Obligation
@@ -297,7 +297,7 @@ def apart(solution: Solution) -> Iterator[Obligation]:
         line, find = each.mistake.line, solution.unknowns[each.at]
         largest = max(MOST_TOLERANCE, solution.problem.part(each.part).tolerance)
         share = Number(Fraction(str(largest)) + Fraction(str(APART)))  # relative: beyond, it is told apart
-        wrong = mistaken(solution, each.place, each.mistake.rule, each.at)
+        wrong = each.formulas(solution)
         if find.in_givens is None or wrong is None:
             why = "it rests on a simulation"
             yield Obligation("mistake apart", claim, line, redrawn=True, open=why)
@@ -315,33 +315,13 @@ def apart(solution: Solution) -> Iterator[Obligation]:
 
 def differing(solution: Solution) -> Iterator[Obligation]:
     """Some numbers tell any two mistakes of a step apart: checked by `settle` at single points, which is all it takes."""
-    for place, find in enumerate(solution.unknowns):
-        rules = [(each, mistaken(solution, place, each.rule, place)) for each in find.mistakes]
+    for place in range(len(solution.unknowns)):
+        rules = [(each.mistake, each.formulas(solution)) for each in own_mistakes(solution, place)]
         for (one, left), (other, right) in combinations(rules, 2):
             if left is not None and right is not None:
                 claim = f"{one.text!r} and {other.text!r} are two mistakes"
                 need: Clause = tuple(Relation("!=", a, b) for a, b in zip(left, right, strict=True))
                 yield Obligation("mistakes differ", claim, other.line, (need,))
-
-
-def mistaken(solution: Solution, place: int, rule: Rule, at: int) -> tuple[Expr, ...] | None:
-    """What is found at a place in givens, where an earlier step (or its own) follows another rule; None where a scene is run."""
-    meaning: dict[str, Expr] = {}
-    trees: tuple[Expr, ...] | None = None
-    for here, find in enumerate(solution.unknowns[: at + 1]):
-        if here == place or (here > place and place in ancestors(solution, here)):
-            by = rule if here == place else find.local
-            trees = (
-                tuple(substitute(tree, meaning) for tree in by.trees) if isinstance(by, ClosedForms) else None
-            )
-        else:
-            trees = find.in_givens
-        if trees is None:
-            if here in (place, at) or here in ancestors(solution, at):
-                return None
-            continue
-        meaning |= zip(find.names, trees, strict=True)
-    return trees
 
 
 def _far(wrong: tuple[Expr, ...], truth: tuple[Expr, ...], size: tuple[Expr, ...], share: Number) -> Clause:
