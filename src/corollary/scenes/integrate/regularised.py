@@ -18,8 +18,10 @@ from corollary.scenes.row import (
 )
 from corollary.scenes.run import GuardFailed, Outcome
 
-# A middle ball 1e-6 as heavy as its neighbours takes 26 000 steps, one of 1e-7 82 000: a few seconds.
-MOST_STEPS, MOST_COMPILED = 100_000, 600_000
+# A middle ball 1e-6 as heavy as its neighbours takes 26 000 steps, about a second; the number goes with the root of the masses' ratio.
+# Where it would be too large nobody waits for the last of them: so many steps show whether the light ones are caught between the heavy.
+MOST_STEPS, MOST_COMPILED, FEW = 100_000, 600_000, 4_000
+LIGHTEST = 1.2e-7
 OUTCOMES: dict[int, Outcome] = {
     row_motion.RELEASED: "released",
     row_motion.MISSED: "missed",
@@ -58,6 +60,8 @@ class LaidOut:
         if compiled:
             kernel, self.most = both_ways.compiled("row_motion").collide, MOST_COMPILED
             start, touching, deepest, *row = both_ways.arrays(start, touching, deepest, *row)
+        if lightest_between(line.masses) < LIGHTEST * (MOST_STEPS / self.most) ** 2:
+            self.most = FEW
         self.kernel: Callable[..., tuple[Seen, Conserved, Conserved]] = kernel
         self.start, self.touching, self.row = start, touching, tuple(row)
         self.deepest, self.hardest = deepest, deepest.copy()
@@ -95,6 +99,19 @@ class LaidOut:
             strain=strain,
             left=tuple([-overlap for overlap in state[1::2]]),
         )
+
+
+def lightest_between(masses: Sequence[float]) -> float:
+    """The least that neighbours weigh who stand between two others, as a part of the lighter of these; one where none are lighter."""
+    least = 1.0
+    for i in range(1, len(masses) - 1):
+        heaviest = 0.0
+        for j in range(i, len(masses) - 1):
+            heaviest = max(heaviest, masses[j])
+            if heaviest >= masses[i - 1]:
+                break
+            least = min(least, heaviest / min(masses[i - 1], masses[j + 1]))
+    return least
 
 
 def state_of(line: RowOfBodies) -> tuple[list[float], list[bool], tuple[Sequence[float], ...]]:
