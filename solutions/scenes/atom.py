@@ -6,10 +6,9 @@ import math
 from dataclasses import replace
 
 from second_way import followed, second_run
+from truncated_well import Well, in_well
 
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
-from corollary.scenes.forces.fields import Well
-from corollary.scenes.models.central import in_well
 from corollary.scenes.models.certain import found
 from corollary.scenes.run import (
     BadSetting,

@@ -5,25 +5,35 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import replace
+from fractions import Fraction
 
 from falls_and_swings import EXACT, fallen
+from flint import acb, acb_poly, arb
 
 from corollary.formula.ball import Ball
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.film import NAIL, Film, film
-from corollary.scenes.forces.contact import Contact
+from corollary.scenes.forces.contact import Contact, smoothing_power
 from corollary.scenes.forces.fields import Weight
 from corollary.scenes.line_collision import collide
-from corollary.scenes.models.certain import Balls, Evaluated, balls, found, sign
+from corollary.scenes.models.certain import (
+    Balls,
+    Evaluated,
+    balls,
+    double_of,
+    found,
+    geometric,
+    integral,
+    root,
+    sign,
+)
 from corollary.scenes.models.two_bodies import (
     BETA,
     CONSERVED,
     FADES,
     Hit,
-    bounce,
     damped,
-    depth_of,
-    laid_down,
+    largest_overlap,
     swings,
     undamped,
 )
@@ -133,6 +143,68 @@ def _observed(
     if hit.duration is None:
         return Evaluated("sticks", values, model, why, warnings=(NEVER_PART,))
     return Evaluated("released", values | {"duration": hit.duration}, model, why, by)
+
+
+def depth_of(contact: Contact, m: float, v: float, g: float) -> float:
+    """The largest overlap (m) without damping, as a double; with weight where there is some."""
+    if g == 0.0:
+        return largest_overlap(m, contact.k, contact.q, v)
+    return double_of(lambda: deepest(contact, arb(m), arb(v), arb(g)))
+
+
+def deepest(contact: Contact, mass: arb, speed: arb, weight: arb) -> arb:
+    """The overlap where a body that meets the floor at `speed` and is pulled on by `weight` (m/s^2) comes to rest.
+
+    speed^2 + 2 g x = 2 k x^(q+1) / ((q+1) m): the root lies between the larger of those without either term on the left and its double.
+    """
+    p = arb(contact.q) + 1
+    stiff = 2 * arb(contact.k) / (p * mass)
+    unit = ((speed * speed / stiff) ** (1 / p)).max((2 * weight / stiff) ** (1 / arb(contact.q)))
+    unit = unit.lower()
+
+    def lacking(x: arb) -> arb:
+        return stiff * x**p - 2 * weight * x - speed * speed
+
+    return root(lacking, unit / 2, 2 * unit)
+
+
+def bounce(contact: Contact, mass: arb, speed: arb, weight: arb) -> Hit:
+    """The contact of a body that meets the floor at `speed` (> 0) and feels `weight` (> 0) meanwhile.
+
+    With x = X w^s and w = 1 - y^2, the square of the speed is y^2 times a sum of powers of w with positive coefficients: nothing
+    cancels, and the integrand is smooth at the deepest point X and at the touch.
+    """
+    s, q = max(smoothing_power(contact), 2), contact.q
+    top = deepest(contact, mass, speed, weight)
+    square, fall = acb(speed * speed), acb(2 * weight * top)
+
+    powers = s * (Fraction(q) + 1), s * Fraction(q)
+    whole = powers[0].denominator == 1
+    sums = acb_poly([square] * round(powers[0])) + acb_poly([0] * s + [fall] * round(powers[1]))
+
+    def per_y(y: acb, analytic: bool) -> acb:
+        w = 1 - y * y
+        if whole:
+            rate = sums(w)
+        else:
+            rate = square * geometric(w, powers[0], analytic)
+            rate += fall * w**s * geometric(w, powers[1], analytic)
+        return w ** (s - 1) / rate.sqrt(analytic=analytic)
+
+    duration = 4 * s * top * integral(per_y, arb(0), arb(1))
+    return Hit(arb(1), top, arb(contact.k) * top ** arb(q), duration)
+
+
+def laid_down(contact: Contact, mass: arb, weight: arb) -> Hit:
+    """The same for a body that only touches the floor and is at rest: it sinks in, and comes back to where it was, at rest.
+
+    With u = x / X the square of the speed is 2 g X (u - u^(q+1)): a Beta function closes the duration.
+    """
+    q, k = arb(contact.q), arb(contact.k)
+    top = ((q + 1) * mass * weight / k) ** (1 / q)
+    half, part = arb(0.5), 1 / (2 * q)
+    beta = half.gamma() * part.gamma() / (half + part).gamma()
+    return Hit(arb(1), top, (q + 1) * mass * weight, (2 * top / weight).sqrt() * beta / q)
 
 
 def second_way(settings: Settings, tolerance: float) -> Run | None:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 from spheres import pair_of
 
+from corollary.formula.ball import Ball
 from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.measure import measured
-from corollary.scenes.models.pair import Meeting, Pair, loaded_speed, met_within, refuse_too_soft
+from corollary.scenes.models.certain import decided
+from corollary.scenes.models.pair import Pair, Vector, loaded_speed, refuse_too_soft, touch
 from corollary.scenes.run import (
     ROUNDING,
     BadSetting,
@@ -40,6 +43,42 @@ MOST_FADING = 1e4
 LEAST_SQUEEZE = 1e5
 APART = "they do not touch while they are watched: each falls alone"
 TOUCH = "before the touch nothing acts but weight, and who falls with them sees none: the contact alone, step by step"
+
+
+@dataclass(frozen=True, slots=True)
+class Meeting:
+    """The spheres when they begin to touch, or at the start, if they do: B is in the unit direction `toward` from A.
+
+    They overlap by `overlap` (m); seen from A, B moves `along` this direction and `across` it (m/s, counter-clockwise). From then on they
+    are watched for `left` (s).
+    """
+
+    toward: Vector
+    overlap: float
+    along: float
+    across: float
+    left: float
+
+
+def met_within(pair: Pair, t: float) -> Meeting | None:
+    """Their meeting, where it is within the time t (s). Raises GuardFailed when no digits tell whether they meet."""
+    return decided(
+        lambda: _met_within(pair, Ball(t)),
+        "Two spheres that graze each other by less than any digits tell; move one of them a little.",
+    )
+
+
+def _met_within(pair: Pair, t: Ball) -> Meeting | None:
+    met = touch(pair)
+    # At the very moment of the touch nothing has come of it.
+    if met is None or not float(t - met.after) > 0.0:
+        return None
+    x, y = met.direction
+    length, distance = (x * x + y * y).sqrt(), Ball(pair.reach) - met.overlap
+    return Meeting(
+        (float(x / length), float(y / length)),
+        *map(float, (met.overlap, -met.inward, met.spin / distance, t - met.after)),
+    )
 
 
 def play(settings: Settings, tolerance: float) -> Run:

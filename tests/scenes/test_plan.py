@@ -3,16 +3,19 @@
 import math
 
 import pytest
+from tests.ready_scene_files import names_in
 
 from corollary.derive.ready_scenes import run
 from corollary.scenes.forces.bonds import Spring
 from corollary.scenes.forces.contact import Contact, Friction, HardWall
-from corollary.scenes.forces.fields import InverseSquare, Weight, Well
+from corollary.scenes.forces.fields import InverseSquare, Weight
 from corollary.scenes.forces.flows import Absorption, Thrust
 from corollary.scenes.measure import measured
 from corollary.scenes.plan import plan, play
 from corollary.scenes.run import MEANING, BadSetting, Observable
 from corollary.scenes.scene import Body, Scene
+
+Well = names_in("atom")["Well"]
 
 V = {Observable.VELOCITIES}
 HARD = Contact(1e4, 1.5)

@@ -8,16 +8,19 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from tests.ready_scene_files import names_in
 
 from corollary.scenes.forces.bonds import Rod, Spring, String
 from corollary.scenes.forces.contact import Contact, Friction, HardWall
-from corollary.scenes.forces.fields import ForceFunction, InverseSquare, Weight, Well
+from corollary.scenes.forces.fields import ForceFunction, InverseSquare, Weight
 from corollary.scenes.forces.flows import Absorption, Drag, Thrust
 from corollary.scenes.plan import followed, plan, play
 from corollary.scenes.progress import reported_to
 from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Force, Scene
+
+Well = names_in("atom")["Well"]
 
 V = {O.VELOCITIES}
 nan, inf = math.nan, math.inf

@@ -5,15 +5,15 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.ready_scene_files import names_in
 
 from corollary.derive.ready_scenes import run
-from corollary.scenes.forces.fields import Well
-from corollary.scenes.models.central import in_well
 from corollary.scenes.models.certain import found as evaluated
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable, components
 from corollary.scenes.scene import Body, Scene
 
+Well, in_well = (names_in("atom")[name] for name in ("Well", "in_well"))
 SWING = 2 * math.pi * math.sqrt(2.0 / 100.0)
 
 

@@ -9,7 +9,6 @@ from tests.ready_scene_files import names_in
 
 from corollary.derive.ready_scenes import ready_scenes, run
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.models.two_bodies import depth_of
 from corollary.scenes.run import BadSetting, GuardFailed
 
 SCENES = ready_scenes()
@@ -184,7 +183,7 @@ def test_a_ball_that_sinks_into_honey_stays():
 def test_a_ball_at_and_beyond_critical_damping_ends_with_a_name(q, g, share):
     """`share` in units of the critical damping of the stiffest place met, which is at least the true one."""
     m, k, v = 0.1, 1e6 * 1e-3 ** (1.5 - q), 2.8
-    deep = depth_of(Contact(k, q), m, v, g)
+    deep = names_in("ball_on_floor")["depth_of"](Contact(k, q), m, v, g)
     found = run(
         "ball_on_floor",
         {
@@ -212,7 +211,9 @@ def test_a_ball_at_and_beyond_critical_damping_ends_with_a_name(q, g, share):
 @pytest.mark.parametrize("g", [0.0, 9.8])
 def test_honey_is_continuous_with_what_is_followed_in_steps(g):
     m, k, v = 0.1, 1e6, 2.8
-    edge = names_in("ball_on_floor")["OVERDAMPED"] * math.sqrt(k * m * depth_of(Contact(k), m, v, g) ** 0.5)
+    edge = names_in("ball_on_floor")["OVERDAMPED"] * math.sqrt(
+        k * m * names_in("ball_on_floor")["depth_of"](Contact(k), m, v, g) ** 0.5
+    )
     stepped, closed = (
         run("ball_on_floor", {"g": g, "v0": -v, "y0": 0.02, "eta": part * edge})
         for part in (1.0 - 1e-12, 1.0 + 1e-9)

@@ -5,14 +5,17 @@ from fractions import Fraction
 
 import mpmath
 import pytest
+from tests.ready_scene_files import names_in
 
 from corollary.scenes.forces.bonds import Spring
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.fields import InverseSquare, Weight, Well
+from corollary.scenes.forces.fields import InverseSquare, Weight
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.run import components
 from corollary.scenes.scene import Body, Scene
+
+Well = names_in("atom")["Well"]
 
 SUN = Body(math.inf, (0.0, 0.0), (0.0, 0.0))
 DRIFTING = (Body(3.0, (0.0,), (0.1,)), Body(0.3, (1.0,), (-1.0,)))

@@ -3,10 +3,11 @@
 import math
 
 import pytest
+from tests.ready_scene_files import names_in
 
 from corollary.derive.ready_scenes import run
 from corollary.scenes.forces.contact import Contact, HardWall
-from corollary.scenes.forces.fields import Weight, Well
+from corollary.scenes.forces.fields import Weight
 from corollary.scenes.forces.flows import Drag
 from corollary.scenes.motion import stepper
 from corollary.scenes.motion.conserved import never_meets
@@ -15,6 +16,8 @@ from corollary.scenes.plan import play
 from corollary.scenes.run import GuardFailed, components
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene, start_of, velocity
+
+Well = names_in("atom")["Well"]
 
 PAIR = (Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.08, 0.018), (0.0, 0.0), 0.02))
 

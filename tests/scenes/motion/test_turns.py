@@ -7,18 +7,21 @@ import math
 import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
+from tests.ready_scene_files import names_in
 from tests.shares import share
 
 from corollary.scenes.body import Body
 from corollary.scenes.forces.bonds import Spring
 from corollary.scenes.forces.contact import Friction, HardWall
-from corollary.scenes.forces.fields import ForceFunction, InverseSquare, Weight, Well
+from corollary.scenes.forces.fields import ForceFunction, InverseSquare, Weight
 from corollary.scenes.forces.flows import Drag
 from corollary.scenes.motion.observe import extremes
 from corollary.scenes.motion.path import Turn
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, Observable, components
 from corollary.scenes.scene import Scene
+
+Well = names_in("atom")["Well"]
 
 pytestmark = pytest.mark.whole
 
