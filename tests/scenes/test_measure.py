@@ -121,7 +121,9 @@ def test_values_and_errors_are_floats_whatever_numbers_a_scene_is_made_of():
     given = np.float64(0.06), (np.float64(0.5), np.float32(1.0)), (np.float64(0.3), np.int64(0))
     wall = Body(math.inf, (np.float64(5.0), np.float64(5.0)), (np.float64(0.1), np.float64(0.2)))
     scene = Scene(
-        (Body(*given), wall), (Weight(np.float64(9.8)), HardWall((0.0, 1.0))), until=np.float64(0.7)
+        (Body(*given), wall),
+        (Weight(np.float64(9.8)), HardWall((0.0, 1.0), only=(0,))),
+        until=np.float64(0.7),
     )
     asked = {o for o in Observable if o is not Observable.PERIOD}
     found = play(scene, asked, times=(np.float64(0.2),))
@@ -130,20 +132,20 @@ def test_values_and_errors_are_floats_whatever_numbers_a_scene_is_made_of():
 
 
 def test_what_no_force_moves_is_known_however_badly_the_others_are():
-    """A nail at rest and a wall-like body that drifts, beside a swing followed roughly, and a disc that all but misses a peg."""
+    """Two nails, beside a swing followed roughly, and a disc that all but misses a peg."""
     nail = Body(math.inf, (0.0, 0.0), (0.0, 0.0), 0.1)
-    drifting = Body(math.inf, (40.0, 40.0), (0.1, -0.2))
+    other = Body(math.inf, (40.0, 40.0), (0.0, 0.0))
     disc = Body(1.0, (-1.0, 0.2 - 2e-17), (3.0, 0.0), 0.1)
-    scene = Scene((nail, drifting, disc), (Contact(1e9, 1.5), Weight(9.8)), until=0.5)
+    scene = Scene((nail, other, disc), (Contact(1e9, 1.5), Weight(9.8)), until=0.5)
     found = play(scene, {Observable.VELOCITIES, Observable.TRAJECTORY}, 1e-4, times=(0.25, 0.5))
-    assert found.observed["velocities"][:4] == (0.0, 0.0, 0.1, -0.2)
+    assert found.observed["velocities"][:4] == (0.0, 0.0, 0.0, 0.0)
     assert max(found.errors["velocities"][:4]) < 1e-11 < found.errors["velocities"][4]
-    for begin, time in ((0, 0.25), (6, 0.5)):
+    for begin in (0, 6):
         seen, off = (
             components(each)[begin : begin + 6]
             for each in (found.observed["trajectory"], found.errors["trajectory"])
         )
-        truth = 0.0, 0.0, 40.0 + 0.1 * time, 40.0 - 0.2 * time
+        truth = 0.0, 0.0, 40.0, 40.0
         assert all(abs(a - b) <= e < 1e-10 for a, b, e in zip(seen, truth, off, strict=False))
         assert off[4] > 1e-9
 

@@ -27,7 +27,6 @@ nan, inf = math.nan, math.inf
 ONE = Body(1.0, (0.0,), (1.0,))
 FLAT = Body(1.0, (0.0, 0.0), (1.0, 0.0))
 TWO = (ONE, Body(1.0, (1.0,), (0.0,)))
-NAILS = (Body(inf, (0.0,), (0.0,)), Body(inf, (1.0,), (1.0,)))
 
 
 def alone(*forces, body=ONE, until=1.0):
@@ -73,10 +72,6 @@ class Burning(Force):
     @property
     def mass_rates(self):
         return ((0, -1.0), (0, -1.0))
-
-
-def rolling(speed):
-    return Body(inf, (0.0,), (speed,), 0.1), Body(inf, (1.0,), (0.0,), 0.1)
 
 
 def coming(speed, until, **of_the_wall):
@@ -177,8 +172,6 @@ WRONG = [
     ("length above zero", lambda: Scene(TWO, (String((0, 1), 0.0),), until=1.0)),
     ("restitution = 1.5", lambda: Scene(TWO, (String((0, 1), restitution=1.5),), until=1.0)),
     ("restitution = -0.5", lambda: Scene(TWO, (String((0, 1), restitution=-0.5),), until=1.0)),
-    ("rod cannot hold", lambda: Scene(NAILS, (Rod((0, 1)),), until=1.0)),
-    ("string of 1.5 m cannot hold", lambda: Scene(NAILS, (String((0, 1), 1.5),), until=1.0)),
     ("k = 0", lambda: Scene(TWO, (Contact(0.0),))),
     ("k = -1", lambda: Scene(TWO, (Contact(-1.0),))),
     ("q = 0", lambda: Scene(TWO, (Contact(1.0, 0.0),))),
@@ -213,11 +206,8 @@ WRONG = [
     ("until", lambda: alone(until=True)),
     ("ball has -1 kg", lambda: alone(body=Body(-1.0, (0.0,), (0.0,), name="ball"))),
     ("body 0 has -1 kg", lambda: alone(body=Body(-1.0, (0.0,), (0.0,)))),
-    ("body 0 and body 1, which .* run into", lambda: Scene(rolling(1.0), (), until=0.81)),
-    ("body 0 and body 1, which .* run into", lambda: Scene(rolling(1.0), (Contact(1e4),), until=2.0)),
-    ("body 0, which .* and a wall run into", lambda: coming(-1.0, 1.1)),
-    ("body 0, which .* and a wall run into", lambda: coming(-1.0, 1.1, only=(0,))),
-    ("body 0, which .* and a wall run into", lambda: coming(-1.0, 1.1, offset=1.0)),
+    ("body 0 flies, .* and a wall would not stop it", lambda: coming(-1.0, 1.1)),
+    ("body 0 flies, .* and a wall would not stop it", lambda: coming(1.0, 1.1, only=(0,))),
     ("how hard body 0, .* is pressed", lambda: alone(ROUGH, body=axle(0.1))),
     ("how hard body 0, .* is pressed", lambda: alone(ROUGH, body=axle(-0.05))),
     ("cannot be hashed", lambda: alone(Own([(0, (1.0,))]))),
@@ -249,20 +239,12 @@ SOUND = [
         body=Body(1.0, (0.0, 1.0), (1.0, 0.0), 0.5, inertia=inf),
     ),
     Scene(TWO, (Spring((0, 1), -1.0, 0.5),), until=0.5),
-    Scene((*NAILS, Body(1.0, (9.0,), (0.0,))), (String((0, 1), 2.5),), until=1.0),
     push(lambda t, x, v: np.array([-x[0]])),
     push(lambda t, x, v: (0,)),
-    Scene(rolling(1.0), (), until=0.79),
-    Scene(rolling(-1.0), (), until=9.0),
-    Scene(rolling(1.0), (), until=9.0, passes=((1, 0),)),
-    Scene((Body(inf, (0.0, 0.0), (0.0, 0.0), 0.1), Body(inf, (0.2, 0.0), (0.0, 1.0), 0.1)), (), until=1.0),
-    Scene((Body(inf, (0.0, 0.0), (1.0, 0.0), 0.1), Body(inf, (1.0, 0.3), (0.0, 0.0), 0.1)), (), until=2.0),
     Scene(askew(0.0), (Rod((0, 1)),), until=1.0),
-    coming(-1.0, 0.99),
     coming(-1.0, 9.0, only=(1,)),
     coming(0.0, 9.0, offset=1.0),
     coming(0.0, 9.0, offset=2.0),
-    coming(1.0, 9.0, offset=1.0),
     alone(ROUGH, body=axle(0.11)),
     alone(ROUGH, body=axle(-0.11)),
     alone(body=Body(1.0, (0.0, 0.0), (1.0, 0.0), spin=2.0, inertia=0.1)),

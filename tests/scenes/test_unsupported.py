@@ -19,6 +19,7 @@ ON_A_LINE = Body(1.0, (0.0,), (1.0,)), Body(2.0, (1.0,), (1.0,))
 FLOOR = HardWall((0.0, 1.0), -1.0)
 PUSH = ForceFunction(0, lambda t, x, v: (0.0, 1.0))
 S = math.sqrt(0.5)
+MOVED = NAIL, Body(math.inf, (1.0, 0.0), (-1.0, 0.0), 0.1)
 
 REMOVED = {
     "friction between bodies": ((A, B), (Contact(1e4, mu=0.3),)),
@@ -51,6 +52,9 @@ REMOVED = {
     ),
     "a dumbbell over a floor": ((A, B), (Rod((0, 1)), FLOOR)),
     "a string and a wall": ((NAIL, B), (String((0, 1)), FLOOR)),
+    "bodies without end of mass that near each other": (MOVED, ()),
+    "a rod between such": (MOVED, (Rod((0, 1)),)),
+    "a contact between such": (MOVED, (Contact(1e4),)),
     "strings in turn": ((A, B), (String((0, 1), 2.0, restitution=0.5), String((1, 0), 3.0, restitution=0.5))),
 }
 NAMED = {
@@ -78,6 +82,9 @@ NAMED = {
     "a ball in a groove": "hits at one moment with restitution are not followed",
     "a dumbbell over a floor": "hits at one moment with restitution are not followed",
     "a string and a wall": "hits at one moment with restitution are not followed",
+    "bodies without end of mass that near each other": "different velocities: such bodies are not followed",
+    "a rod between such": "different velocities: such bodies are not followed",
+    "a contact between such": "different velocities: such bodies are not followed",
     "strings in turn": "strings that jerk in turn with restitution are not followed",
 }
 
@@ -106,6 +113,7 @@ def test_it_is_refused_before_anything_is_followed():
 
 
 NEAR_TO_IT = {
+    "walls that move as one": ((MOVED[1], Body(math.inf, (3.0, 0.0), (-1.0, 0.0)), A), (Contact(1e4),)),
     "one table for each of two blocks that nothing ties": (ON_A_LINE, (Friction(0, 0.3), Friction(1, 0.3))),
     "a block that pulls another over a table": (ON_A_LINE, (Rod((0, 1)), Friction(0, 0.3))),
     "a billiard": ((A,), (FLOOR, HardWall((1.0, 0.0), -1.0), HardWall((-1.0, 0.0), -3.0))),

@@ -49,7 +49,7 @@ def inside(apart: Sequence[float], reach: float) -> float:
 
 
 def nothing_moves(first: Body, second: Body) -> bool:
-    """Whether both are walls: what acts between them turns them at most."""
+    """Whether both are walls: what acts between them moves nothing."""
     return math.isinf(min(first.mass, second.mass))
 
 

@@ -156,7 +156,6 @@ def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) 
     match scene.forces:
         case (Contact() as contact,) if (
             reach > 0.0
-            and not contact.rubs_surfaces
             and contact.chosen is None
             and not (a.spin or b.spin or scene.passes)
             and not math.isinf(a.mass)

@@ -159,12 +159,13 @@ class ContactForce(Force, ABC):
     """A force between two bodies that overlap; a scene with no other force ends when nothing touches and nothing will."""
 
     def serves(self, scene: Scene) -> Collection[tuple[int, int]]:
-        """The pairs of bodies it acts between: those of its own choice, or all that no other contact has chosen."""
+        """The pairs of bodies it acts between, of which something moves one: those of its own choice, or all that no other contact has chosen."""
         mine = self.between_bodies
         if mine is not None:
-            return [(min(pair), max(pair)) for pair in mine]
+            chosen = [(min(pair), max(pair)) for pair in mine]
+            return [(a, b) for a, b in chosen if not nothing_moves(scene.bodies[a], scene.bodies[b])]
         others = {(min(pair), max(pair)) for other in scene.contacts for pair in other.between_bodies or ()}
-        return [pair for pair in pairs(scene, self.rubs_surfaces) if pair not in others]
+        return [pair for pair in pairs(scene) if pair not in others]
 
     @property
     def between_bodies(self) -> tuple[tuple[int, int], ...] | None:
@@ -285,12 +286,11 @@ def overlap(scene: Scene, state: State, a: int, b: int) -> tuple[float, float]:
     return scene.bodies[a].radius + scene.bodies[b].radius - distance, growing
 
 
-def pairs(scene: Scene, turning: bool = False) -> Iterator[tuple[int, int]]:
-    """Every two bodies that can touch; of those that nothing moves, with `turning`, those of which one can be turned."""
+def pairs(scene: Scene) -> Iterator[tuple[int, int]]:
+    """Every two bodies that can touch, and of which something moves one."""
     for a, first in enumerate(scene.bodies):
         for b, second in enumerate(scene.bodies[a + 1 :], start=a + 1):
-            turned = turning and min(first.resists_spin, second.resists_spin) < math.inf
-            if first.radius + second.radius > 0.0 and (turned or not nothing_moves(first, second)):
+            if first.radius + second.radius > 0.0 and not nothing_moves(first, second):
                 yield a, b
 
 

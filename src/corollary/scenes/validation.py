@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import fields, is_dataclass
 from functools import lru_cache
-from itertools import combinations
+from itertools import combinations, pairwise
 from numbers import Integral, Real
 from reprlib import Repr
 from typing import Any, Protocol, cast
@@ -252,7 +252,7 @@ def refuse_misfits(scene: Parts, start: Sequence[float]) -> None:
     if any(not 0 <= i < count for pair in scene.passes for i in pair):
         raise BadSetting(f"{name}: passes = {scene.passes} names a body that is not there.")
     _refuse_burnt(scene)
-    _refuse_walls_that_meet(scene)
+    _refuse_driven(scene)
 
 
 @lru_cache
@@ -328,28 +328,14 @@ def _refuse_burnt(scene: Parts) -> None:
             )
 
 
-def _refuse_walls_that_meet(scene: Parts) -> None:
-    """Raises BadSetting where two bodies that nothing moves would run into each other before the end."""
-    walls = [(i, body) for i, body in enumerate(scene.bodies) if math.isinf(body.mass)]
-    passing = {(min(pair), max(pair)) for pair in scene.passes}
-    for (i, a), (j, b) in combinations(walls, 2):
-        reach = (a.radius + b.radius) * (1.0 - 1e-9)
-        if scene.until is None or not reach or (i, j) in passing or not math.dist(a.place, b.place) > reach:
-            continue
-        apart = [y - x for x, y in zip(a.place, b.place, strict=True)]
-        relative = [v - u for u, v in zip(a.velocity, b.velocity, strict=True)]
-        square, nearing = (
-            sum(v * v for v in relative),
-            -sum(x * v for x, v in zip(apart, relative, strict=True)),
-        )
-        nearest = min(nearing / square, scene.until) if square else 0.0
-        if (
-            nearing > 0.0
-            and math.hypot(*(x + v * nearest for x, v in zip(apart, relative, strict=True))) < reach
-        ):
+def _refuse_driven(scene: Parts) -> None:
+    """Raises BadSetting where bodies that nothing moves would not keep their distance: what becomes of them when they meet is open."""
+    walls = [(body.name or f"body {i}", body) for i, body in enumerate(scene.bodies) if math.isinf(body.mass)]
+    for (called, a), (other, b) in pairwise(walls):
+        if a.velocity != b.velocity:
             raise BadSetting(
-                f"{scene.name}: {a.name or f'body {i}'} and {b.name or f'body {j}'}, which nothing moves, run into each other before "
-                f"until = {scene.until:g} s; watch for a shorter time, give them other velocities, or name them in passes=…."
+                f"{scene.name}: {called} and {other} have no end of mass and different velocities: such bodies are not followed; give them one "
+                "velocity, or one of them a mass."
             )
 
 

@@ -128,15 +128,6 @@ class Rod(Link):
     `length` (m) is the distance at the start if it is not given.
     """
 
-    def fits(self, scene: Scene) -> None:
-        self.span(scene)
-        a, b = (scene.bodies[i] for i in self.ends)
-        if math.isinf(a.mass) and math.isinf(b.mass) and a.velocity != b.velocity:
-            raise BadSetting(
-                f"{scene.name}: a rod cannot hold bodies {self.ends[0]} and {self.ends[1]}, which nothing moves and whose velocities differ; "
-                "give them one."
-            )
-
     def constraints(self, scene: Scene) -> Iterator[Constraint]:
         """The distance beyond the length: zero. Raises BadSetting for bodies that start in the same place."""
         yield self.held(scene, "rod", 1.0, two_sided=True, restitution=0.0)
@@ -156,22 +147,12 @@ class String(Link):
     restitution: float = 0.0
 
     def fits(self, scene: Scene) -> None:
-        length = self.span(scene)
+        self.span(scene)
         refuse_below_zero(scene.name, self, least=("restitution",))
         if self.restitution > 1.0:
             raise BadSetting(
                 f"{scene.name}: String with restitution = {self.restitution:g}: it must be at most 1."
             )
-        a, b = (scene.bodies[i] for i in self.ends)
-        if math.isinf(a.mass) and math.isinf(b.mass) and scene.until is not None:
-            far = math.dist(
-                *([x + v * scene.until for x, v in zip(e.place, e.velocity, strict=True)] for e in (a, b))
-            )
-            if far > length * (1.0 + 1e-9):
-                raise BadSetting(
-                    f"{scene.name}: a string of {length:g} m cannot hold bodies {self.ends[0]} and {self.ends[1]}, which nothing moves "
-                    f"and which are {far:g} m apart at the end; watch for a shorter time."
-                )
 
     def constraints(self, scene: Scene) -> Iterator[Constraint]:
         """The slack: not negative. Raises BadSetting for bodies that start in the same place without a length given."""

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.body import Body, Constraint, Rub, State
+from corollary.scenes.body import Constraint, Rub, State
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import (
     Conserves,
@@ -139,7 +139,7 @@ class HardWall(Force):
         self._refuse_held(scene)
 
     def _refuse_held(self, scene: Scene) -> None:
-        """Raises BadSetting for bodies that nothing moves, where they fly into the wall, or touch a rough one and can be turned.
+        """Raises BadSetting for bodies that nothing moves, where they fly, or touch a rough wall and can be turned.
 
         Nails at rest in a wall or behind it are what things hang from.
         """
@@ -155,18 +155,10 @@ class HardWall(Force):
                 raise BadSetting(
                     f"{scene.name}: how hard {called}, which nothing moves, is pressed on a rough wall is not determined; {remedy}."
                 )
-            if deep <= near and self._meets(scene, body, deep, near):
+            if any(body.velocity):
                 raise BadSetting(
-                    f"{scene.name}: {called}, which nothing moves, and a wall run into each other before until = {scene.until:g} s; "
-                    f"watch for a shorter time, or {remedy}."
+                    f"{scene.name}: {called} flies, which nothing moves, and a wall would not stop it; {remedy}."
                 )
-
-    def _meets(self, scene: Scene, body: Body, deep: float, near: float) -> bool:
-        """Whether a body that keeps its velocity and starts in front of the wall, or upon it and moves, gets behind it before the end."""
-        if scene.until is None or (deep >= -near and not any(body.velocity)):
-            return False
-        there = [x + v * scene.until for x, v in zip(body.place, body.velocity, strict=True)]
-        return self.clearance(there, body.radius) < -near
 
     @property
     def held_by(self) -> float:

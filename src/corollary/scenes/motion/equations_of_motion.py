@@ -16,7 +16,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from corollary.scenes.body import Constraint, Rub, State, nothing_moves
+from corollary.scenes.body import Constraint, Rub, State
 from corollary.scenes.run import BadSetting, GuardFailed, NoForce
 from corollary.scenes.scene import ContactForce, Scene, opposite
 from corollary.scenes.validation import is_own
@@ -180,10 +180,9 @@ class Mode:
     sides: tuple[float, ...]
 
 
-def moved_contacts(scene: Scene) -> list[tuple[ContactForce, int, int]]:
-    """Every two bodies that a contact acts between, and that something moves; a mode tells in this order which touch."""
-    served = [(force, a, b) for force in scene.contacts for a, b in force.serves(scene)]
-    return [(f, a, b) for f, a, b in served if not nothing_moves(scene.bodies[a], scene.bodies[b])]
+def served(scene: Scene) -> list[tuple[ContactForce, int, int]]:
+    """Every two bodies that a contact acts between; a mode tells in this order which touch."""
+    return [(force, a, b) for force in scene.contacts for a, b in force.serves(scene)]
 
 
 class System:
@@ -191,7 +190,6 @@ class System:
 
     There are `count` places, and as many velocities; `always` are the forces that need no touch, `heavy` the masses (kg) at the start, of
     bodies, and `each` of the components of their velocities.
-    Two bodies that nothing moves have no contact.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -202,7 +200,7 @@ class System:
         self.rubs: list[Rub] = []
         self.pressed = list[int]()
         self.always = [force for force in scene.forces if not isinstance(force, ContactForce)]
-        self.contacts = moved_contacts(scene)
+        self.contacts = served(scene)
         for force in scene.forces:
             held = list(force.constraints(scene))
             first = len(self.constraints)

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import assert_never
@@ -13,9 +13,9 @@ from typing import assert_never
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from corollary.scenes.body import loose, nothing_moves, starts_across
+from corollary.scenes.body import loose, starts_across
 from corollary.scenes.motion.conserved import energy, impulses, kinetic, masses_at, momentum, refuse_rest
-from corollary.scenes.motion.equations_of_motion import moved_contacts
+from corollary.scenes.motion.equations_of_motion import served
 from corollary.scenes.motion.path import (
     POINTS,
     Stretch,
@@ -197,7 +197,7 @@ def _stuck(scene: Scene, path: Trajectory) -> bool:
     ends = path.stretches[-1].before, path.state
     stuck = {
         i
-        for (_, a, b), on in zip(moved_contacts(scene), path.touching(), strict=True)
+        for (_, a, b), on in zip(served(scene), path.touching(), strict=True)
         if on and all(math.hypot(*seen_from(scene, y, a, b)[1]) <= 1e-9 * path.fast for y in ends)
         for i in (a, b)
     }
@@ -225,11 +225,10 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
             refuse_rest(scene)
             return kinetic(scene, path.time, path.state) / kinetic(scene, 0.0, start_of(scene))
         case Observable.LARGEST_OVERLAP:
-            served = _served(scene, path)
-            chosen = {(a, b) for _, a, b, _ in served}
+            chosen = {(a, b) for _, a, b in served(scene)}
             found = [
                 _largest(lambda y, a=a, b=b: overlap(scene, y, a, b)[0], touching)
-                for _, a, b, touching in served
+                for _, a, b, touching in _touching(scene, path)
             ]
             # Bodies that pass through each other on purpose overlap as well; with a point that no contact serves nothing does.
             seen = [(a, b) for a, b in pairs(scene) if (a, b) in chosen or _solid(scene, a, b)]
@@ -241,12 +240,15 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
             at_start = [overlap(scene, start_of(scene), a, b)[0] for a, b in seen]
             return max([0.0, *found, *passed, *at_start])
         case Observable.PEAK_FORCE:
-            served = _served(scene, path)
-            return max([0.0, *(_largest(_felt(scene, f, a, b), touching) for f, a, b, touching in served)])
+            felt = [
+                _largest(lambda y, f=f, a=a, b=b: math.hypot(*f.between(scene, y, a, b)), touching)
+                for f, a, b, touching in _touching(scene, path)
+            ]
+            return max([0.0, *felt])
         case Observable.DURATION:
             if path.settled:
                 return math.inf
-            span = contact_span(path, [each for *_, touching in _served(scene, path) for each in touching])
+            span = contact_span(path)
             return span.lasts if span else 0.0
         case Observable.TURNING_POINTS:
             distances = [turn.distance for turn in turns(scene, path)]
@@ -364,10 +366,9 @@ class Span:
     slack: float
 
 
-def contact_span(path: Trajectory, more: Sequence[Stretch] = ()) -> Span | None:
-    """How long there was a contact; none when there was none. In some stretches `more` than contacts may touch."""
-    others = set(map(id, more))
-    touched = [i for i, each in enumerate(path.stretches) if any(each.mode.touching) or id(each) in others]
+def contact_span(path: Trajectory) -> Span | None:
+    """How long there was a contact; none when there was none."""
+    touched = [i for i, each in enumerate(path.stretches) if any(each.mode.touching)]
     if not touched:
         return None
     first, last = touched[0], touched[-1]
@@ -376,21 +377,7 @@ def contact_span(path: Trajectory, more: Sequence[Stretch] = ()) -> Span | None:
     return Span(math.fsum(each.lasts for each in path.stretches[first : last + 1]), math.fsum(ends))
 
 
-def _felt(scene: Scene, force: ContactForce, a: int, b: int) -> Callable[[Sequence[float]], float]:
-    """How strong (N) a contact is in a state: what nothing moves may be apart in it."""
-    return lambda y: math.hypot(*force.between(scene, y, a, b)) if overlap(scene, y, a, b)[0] > 0.0 else 0.0
-
-
-def _served(scene: Scene, path: Trajectory) -> list[tuple[ContactForce, int, int, list[Stretch]]]:
+def _touching(scene: Scene, path: Trajectory) -> Iterator[tuple[ContactForce, int, int, list[Stretch]]]:
     """Every two bodies between which a contact acts, and the stretches in which they touch."""
-    found: list[tuple[ContactForce, int, int, list[Stretch]]] = []
-    contact = 0
-    for force in scene.contacts:
-        for a, b in force.serves(scene):
-            if nothing_moves(scene.bodies[a], scene.bodies[b]):  # no mode tells: nothing is pushed
-                touching = [each for each in path.stretches if overlap(scene, each.at(0.5), a, b)[0] > 0.0]
-            else:
-                touching = [each for each in path.stretches if each.mode.touching[contact]]
-                contact += 1
-            found.append((force, a, b, touching))
-    return found
+    for i, (force, a, b) in enumerate(served(scene)):
+        yield force, a, b, [each for each in path.stretches if each.mode.touching[i]]
