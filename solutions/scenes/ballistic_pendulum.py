@@ -38,7 +38,7 @@ SETTINGS = (
 )
 # scipy's own least: what is left of the bullet's motion is known absolutely.
 LEAST_RELATIVE = 2.3e-14
-# Those that a fading motion remembers, by benchmarks/calibration.py.
+# Those that a fading motion remembers.
 LAST_STEPS = 2.0
 # So far (rad) a light block may swing under a heavy bullet while it brakes it: some twenty evaluations each, twenty minutes in all.
 MOST_SWUNG = 1e7

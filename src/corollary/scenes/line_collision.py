@@ -28,7 +28,7 @@ from corollary.scenes.run import (
     two_runs,
 )
 
-# Two runs may agree by chance: so many times their difference holds in all but one value of a thousand (benchmarks/calibration.py).
+# Two runs may agree by chance: so many times their difference holds in all but one value of a thousand.
 SAFE = 10.0
 # One number's difference may pass through zero between two tolerances, where those of the others do not: this share of theirs is its own.
 SHARED = 0.2

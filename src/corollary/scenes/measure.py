@@ -168,7 +168,7 @@ FINEST, TIGHTER = 2e-14, 1e-2
 GENTLE, STEEP = 3.0, 1e-8
 """Contacts of a higher power set in so steeply that coarse steps pass over it, in both runs alike: this is the coarsest tolerance then."""
 BY_TOUCH = 10.0
-"""So many times what a step may be off is what a slight touch, or the root that a parting ends in, has cost: by benchmarks/calibration.py."""
+"""So many times what a step may be off is what a slight touch, or the root that a parting ends in, has cost in 10 000 draws."""
 HIT = 1e-12
 """Hits of the coarser run give back less by such a part, some thousand roundings: flights from one to the next are followed exactly by any steps, and two
 runs would round them alike, however much what follows makes of it."""

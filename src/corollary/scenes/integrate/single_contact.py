@@ -22,7 +22,7 @@ from corollary.scenes.models.pair import (
 )
 from corollary.scenes.run import GuardFailed, Observed, Run, by_relative_errors, two_runs
 
-SAFE, LUCK = 3.0, 3e-4  # by benchmarks/calibration.py
+SAFE, LUCK = 3.0, 3e-4  # held in 10 000 draws against references of 31 digits
 
 MOST_STEPS = 3000
 Groups = tuple[float, int, float, float, float, float]
