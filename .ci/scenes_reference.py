@@ -20,8 +20,11 @@ OPENING = """\
 # Ready-made scenes
 
 Made from the code by `python .ci/scenes_reference.py`. `corollary scene NAME --set q=1.5` plays one, `corollary scene NAME --settings`
-tells the same as its table here, `corollary scene` lists all; from Python it is `corollary.play("NAME", q=1.5)`. Conventions
-(the time `dt` of a catch, damping, gaps) and how sure the values are: [scenes](scenes.md#ready-made-scenes).
+tells the same as its table here, `corollary scene` lists all; from Python it is `corollary.play("NAME", q=1.5)`. How sure the values
+are: [scenes](scenes.md#ready-made-scenes).
+
+Where a body is caught (`absorbed_drop`, `ballistic_pendulum`, `bullet_block`, `snowball`) a dashpot lets the relative velocity fade by
+e⁻⁴⁰ in the time `dt`; `peak_force` and `depth` go by `dt`. `gaps` of a `cradle` are between all neighbours.
 
 All numbers are SI, angles in rad. A row is written `masses=0.1,0.2,0.1`, from Python `(0.1, 0.2, 0.1)`; one number in place of a row
 serves all. *Takes* is what a number must be by itself; what does not go together is refused in a sentence. *Error* says what is
