@@ -14,7 +14,7 @@ import corollary
 from corollary.cli.commands import app
 from corollary.derive.load import NotDerivable, sources
 from corollary.derive.ready_scenes import definition, film_of, forget, play, ready_scenes, run
-from corollary.grading.plain_key import serialized
+from corollary.grading.plain_key import key_of, serialized
 from corollary.grading.replay import forget_scenes
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import Bank, chapter_bank
@@ -225,6 +225,12 @@ def test_a_changed_scene_is_played_anew(tmp_path):
 def test_a_key_for_the_browser_does_not_say_where_the_bank_lies(tmp_path):
     here = bank(tmp_path, falling_stone=STONE)
     assert str(tmp_path) not in json.dumps(serialized(Solutions(here).key(chapter(here["X1.1"]))))
+
+
+def test_a_key_for_the_browser_holds_what_the_banks_own_scene_gives(tmp_path):
+    here = bank(tmp_path, falling_stone=STONE)
+    back = key_of(json.loads(json.dumps(serialized(Solutions(here).key(chapter(here["X1.1"]))))))
+    assert back.solution.unknowns[0].local.runs == {(2.0,): (-19.6,)}
 
 
 def test_the_command_plays_and_lists_a_banks_own_scenes(tmp_path):

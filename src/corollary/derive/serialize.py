@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import fields, is_dataclass
+from collections.abc import Mapping, Set
+from dataclasses import MISSING, Field, fields, is_dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -21,12 +21,20 @@ TYPES: dict[str, type] = {
 }
 
 
+View = Mapping[type, Set[str]]
+EVERYTHING: View = {}
+EMPTY: Mapping[type, Any] = {str: "", int: 0, tuple: (), dict: {}}
+
+
 class NotSerializable(TypeError):
     """Something that data cannot hold: a function, an expression still to be solved."""
 
 
-def to_data(value: Any) -> Any:
-    """The value as JSON can hold it: each dataclass under its name, with its fields in order. Raises NotSerializable."""
+def to_data(value: Any, view: View = EVERYTHING) -> Any:
+    """The value as JSON can hold it: each dataclass under its name, with its fields in order. Raises NotSerializable.
+
+    Of a type that the `view` names only the fields are written that stand there; the others are empty.
+    """
     whole = value  # which stays of any type where a case below narrows the value
     match value:
         case None | bool() | int() | str():
@@ -38,15 +46,29 @@ def to_data(value: Any) -> Any:
         case Unit():
             return {"unit": value.text}
         case tuple() | list():
-            return list(map(to_data, whole))
+            return [to_data(each, view) for each in whole]
         case frozenset():
             return {"set": list(map(to_data, sorted(whole)))}
         case Mapping():
-            return {"table": [[to_data(name), to_data(each)] for name, each in whole.items()]}
+            return {"table": [[to_data(name, view), to_data(each, view)] for name, each in whole.items()]}
         case _ if TYPES.get(type(value).__name__) is type(value):
-            return {type(value).__name__: [to_data(getattr(value, field.name)) for field in fields(value)]}
+            named = view.get(TYPES[type(value).__name__])
+            inside = [
+                getattr(value, each.name) if named is None or each.name in named else _empty(value, each)
+                for each in fields(value)
+            ]
+            return {type(value).__name__: [to_data(each, view) for each in inside]}
         case _:
             raise NotSerializable(f"{type(value).__name__} cannot be serialized")
+
+
+def _empty(value: Any, left_out: Field[Any]) -> Any:
+    """A field's default, or nothing of the type that it has."""
+    if left_out.default is not MISSING:
+        return left_out.default
+    if left_out.default_factory is not MISSING:
+        return left_out.default_factory()
+    return EMPTY.get(getattr(value, left_out.name).__class__)
 
 
 def from_data(data: Any) -> Any:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -27,7 +27,7 @@ from corollary.formula.ast import (
 from corollary.formula.ball import Ball, RationalPi, Undefined, certified, evaluate, holds, precision_of
 from corollary.formula.exact import exactly
 from corollary.formula.functions import FUNCTIONS
-from corollary.grading.replay import compute, simulated
+from corollary.grading.replay import Answered, ancestors, compute, simulated
 from corollary.grading.rounding import Noise, noise_of, tolerance_of
 from corollary.grading.signs import signed
 from corollary.problem.given import Given
@@ -231,16 +231,6 @@ class Truth:
 
 
 @dataclass(frozen=True, slots=True)
-class Answered:
-    """An unknown's values (SI); `errors` are absolute, zero where `certified`; `bound` says that they are proven."""
-
-    values: Values
-    certified: bool
-    errors: Values
-    bound: bool
-
-
-@dataclass(frozen=True, slots=True)
 class Key:
     """Everything a variant can be marked with; `values` are the finds in the solution's order, `choices` the letters of the right
     options as the sheet has them (empty: it does not)."""
@@ -268,15 +258,13 @@ def make_key(solution: Solution, variant: Variant) -> Key:
     """The key of one variant. Raises Undefined when an answer does not exist for these numbers."""
     givens = variant.exact
     solution = solution.at(givens)
-    values: list[Values] = []
     stated: list[Answered] = []
-    for find in solution.unknowns:
-        try:
-            stated.append(answer(solution, find, variant, stated))
-        except Undefined as why:
+    for find, found in zip(solution.unknowns, answers(solution, variant), strict=True):
+        if found.why:
             what = f"part {find.part}" if find.part else ", ".join(find.names)
-            raise Undefined(f"{what} has no value for these numbers: {why}") from why
-        values.append(stated[-1].values)
+            raise Undefined(f"{what} has {found.why}")
+        stated.append(found)
+    values = [each.values for each in stated]
     noise = noise_of(solution, givens, values)
     truths: dict[str, Truth] = {}
     known = givens | named(solution, values)
@@ -359,36 +347,44 @@ def table_truth(
         for value, unit in zip(stated.values, part.units, strict=True)
     ]
     uncertain = tuple(MARGIN * each + TINY * size for each, size in zip(noise.components, sizes, strict=True))
-    if not all(sizes):
-        return Truth(
-            place,
-            stated.values,
-            stated.certified,
-            0.0,
-            0.0,
-            tolerance_of(part.tolerance, 0.0, 0.0),
-            0.0,
-            uncertain,
-            tuple(sizes),
-        )
+    complete = all(sizes)
 
     def most(several: Sequence[float]) -> float:
-        return max(each / size for each, size in zip(several, sizes, strict=True))
+        return max(each / size for each, size in zip(several, sizes, strict=True)) if complete else 0.0
 
     error = most(stated.errors)
     tolerance = tolerance_of(part.tolerance, MARGIN * most(noise.components), error)
-    by_steps = MARGIN * most(noise.components_by_steps)
     return Truth(
         place,
         stated.values,
         stated.certified,
         error,
-        max(sizes),
+        max(sizes) if complete else 0.0,
         tolerance,
-        by_steps,
+        MARGIN * most(noise.components_by_steps),
         uncertain,
         tuple(sizes),
     )
+
+
+def answers(solution: Solution, variant: Variant) -> Iterator[Answered]:
+    """What each unknown comes to, in the solution's order."""
+    before: list[Answered] = []
+    missing: set[int] = set()
+    for place, find in enumerate(solution.unknowns):
+        lost = find.in_givens is None and missing & (ancestors(solution, place) - {place})
+        try:
+            if lost:
+                raise Undefined(
+                    f"it follows from {solution.unknowns[min(lost)].names[0]}, which has no value"
+                )
+            found = answer(solution, find, variant, before)
+        except Undefined as why:
+            missing.add(place)
+            unknown, exact = (math.nan,) * len(find.names), (0.0,) * len(find.names)
+            found = Answered(unknown, False, exact, False, f"no value for these numbers: {why}")
+        before.append(found)
+        yield found
 
 
 def answer(solution: Solution, find: Unknown, variant: Variant, before: Sequence[Answered]) -> Answered:
@@ -424,7 +420,7 @@ def simulated_at(scene: str, exact: Mapping[str, Ball], observe: str, bank: str)
     with precision_of(BITS):
         rounded = {name: float((ball - Ball(at[name])).mid()) for name, ball in exact.items()}
     if not any(rounded.values()):
-        return Answered(seen.values, False, seen.errors, seen.bound)
+        return seen
     moved = tuple((name, value + MAGNIFIED * rounded[name]) for name, value in at.items())
     try:
         other = simulated(scene, moved, observe, bank).values

@@ -18,8 +18,8 @@ from corollary.formula.exact import exactly
 from corollary.formula.plain_text import text
 from corollary.grading.forces_on_body import as_answered, free_body
 from corollary.grading.from_json import finite
-from corollary.grading.key import Answered, answer, option_that_holds
-from corollary.grading.replay import ancestors
+from corollary.grading.key import answers, option_that_holds
+from corollary.grading.replay import Answered
 from corollary.problem.part import Part
 from corollary.problem.variant import Variant
 from corollary.units.unit import canonical, si_unit
@@ -51,34 +51,20 @@ def key_record(solution: Solution, variant: Variant) -> dict[str, Any]:
 
 def _answers(solution: Solution, variant: Variant) -> dict[str, dict[str, Any]]:
     """What is found for each part that asks for a quantity."""
-    before: list[Answered] = []
-    missing: set[int] = set()
-    found: dict[str, dict[str, Any]] = {}
-    for place, find in enumerate(solution.unknowns):
-        unknown = (math.nan,) * len(find.names)
-        stated, entry = Answered(unknown, False, (0.0,) * len(unknown), False), {}
-        lost = find.in_givens is None and missing & (ancestors(solution, place) - {place})
-        try:
-            if lost:
-                raise Undefined(
-                    f"it follows from {solution.unknowns[min(lost)].names[0]}, which has no value"
-                )
-            stated = answer(solution, find, variant, before)
-            entry = _quantity(find, variant, stated)
-        except Undefined as why:
-            missing.add(place)
-            entry = {"why": f"no value for these numbers: {why}"}
-        before.append(stated)
+    entries: dict[str, dict[str, Any]] = {}
+    for find, stated in zip(solution.unknowns, answers(solution, variant), strict=True):
         if find.part:
-            found[find.part] = entry
-    return found
+            try:
+                entries[find.part] = _quantity(find, variant, stated)
+            except Undefined as why:
+                entries[find.part] = {"why": f"no value for these numbers: {why}"}
+    return entries
 
 
 def _quantity(find: Unknown, variant: Variant, stated: Answered) -> dict[str, Any]:
-    part = variant.problem.part(find.part) if find.part else None
-    if part is None:
-        return {}
-    numbers = stated.values
+    if stated.why:
+        return {"why": stated.why}
+    part, numbers = variant.problem.part(find.part), stated.values
     entry: dict[str, Any] = {"value": _one(numbers, finite, part), "unit": si_name(part)}
     if part.column_units:
         entry["units"] = [si_name(replace(part, unit=each)) for each in part.units]

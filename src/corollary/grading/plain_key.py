@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import fields, replace
+from dataclasses import astuple, replace
 from pathlib import Path
 from typing import Any
 
 from corollary.answers.registry import BUILT_IN
-from corollary.derive.serialize import from_data, to_data
+from corollary.derive.serialize import View, from_data, to_data
 from corollary.derive.solution import (
     AppliedLaw,
     Rule,
@@ -18,7 +18,7 @@ from corollary.derive.solution import (
     SolvedRoute,
     Unknown,
 )
-from corollary.derive.statements import Mistake, Route, Statement
+from corollary.derive.statements import Choice, Forces, Mistake, Route, Statement
 from corollary.formula.ball import Undefined
 from corollary.grading.expectations import expected_of
 from corollary.grading.key import Key, Truth
@@ -35,13 +35,27 @@ def judged(part: Part) -> bool:
     return len(part.answer_types) == 1 and part.answer_type in BUILT_IN and part.answer_type not in NOT_JUDGED
 
 
+JUDGED_BY: View = {
+    Unknown: {"statement", "names", "local", "in_givens", "routes", "mistakes", "dimensions", "scale"},
+    Statement: {"part"},
+    SolvedRoute: {"stated", "rule"},
+    Route: set(),
+    Mistake: {"text", "rule"},
+    Choice: {"statement", "mistakes"},
+    Forces: {"statement", "forces", "mistakes", "slope"},
+    AppliedLaw: {"name", "textbook", "vectors", "here"},
+    SceneOutcome: {"scene", "settings", "observe", "runs"},
+}
+"""What of a derivation judging takes: no reasons, no sources, no path, and nothing that is added later."""
+
+
 def serialized(key: Key) -> dict[str, Any]:
     """The key as JSON can hold it: the derivation without its laws' texts and its programs, and what scenes gave wherever judging
     an answer that rests on no wrong one runs them."""
-    solution, problem = _bare(key.solution), key.variant.problem
-    bare = replace(key, solution=solution)
+    problem = key.variant.problem
+    solution = replace(key.solution, unknowns=tuple(map(_recording, key.solution.unknowns)))
     for part in filter(judged, problem.parts):
-        quantity = expected_of(bare, part).quantity
+        quantity = expected_of(replace(key, solution=solution), part).quantity
         for way in quantity.routes() if quantity else ():
             for several in (way.misconceptions, way.slips):
                 with suppress(Undefined):
@@ -52,13 +66,10 @@ def serialized(key: Key) -> dict[str, Any]:
         "parts": to_data(problem.parts),
         "drawn": to_data(key.variant.values),
         "values": to_data(key.values),
-        "truths": {
-            part: [to_data(getattr(truth, each.name)) for each in fields(truth)]
-            for part, truth in key.truths.items()
-        },
+        "truths": {part: to_data(astuple(truth)) for part, truth in key.truths.items()},
         "choices": dict(key.choices),
         "solution": {
-            name: to_data(getattr(solution, name))
+            name: to_data(getattr(solution, name), JUDGED_BY)
             for name in ("unknowns", "choices", "examples", "paths", "forces")
         },
     }
@@ -70,57 +81,17 @@ def key_of(data: Mapping[str, Any]) -> Key:
     problem = Problem(data["code"], "", "", "", "", "", givens, (), parts, "", "", Path(), 0)
     content = {name: from_data(each) for name, each in data["solution"].items()}
     solution = Solution(problem=problem, proofs={}, entries=(), **content)
-    truths = {part: Truth(*map(from_data, each)) for part, each in data["truths"].items()}
+    truths = {part: Truth(*from_data(each)) for part, each in data["truths"].items()}
     variant = Variant(problem, from_data(data["drawn"]), None)
     return Key(solution, variant, from_data(data["values"]), truths, data["choices"])
 
 
-def _bare(solution: Solution) -> Solution:
-    return replace(
-        solution,
-        unknowns=tuple(map(_unknown, solution.unknowns)),
-        choices={
-            part: replace(each, statement=_statement(part), options={})
-            for part, each in solution.choices.items()
-        },
-        examples={
-            part: replace(each, statement=_statement(part), laws=tuple(map(_law, each.laws)))
-            for part, each in solution.examples.items()
-        },
-        forces={
-            part: replace(each, statement=_statement(part), balances=())
-            for part, each in solution.forces.items()
-        },
-        proofs={},
-        entries=(),
-        neglected=(),
-    )
+def _recording(find: Unknown) -> Unknown:
+    """With rules that keep what their scenes give."""
 
+    def keeping(rule: Rule) -> Rule:
+        return replace(rule, runs={}) if isinstance(rule, SceneOutcome) else rule
 
-def _unknown(find: Unknown) -> Unknown:
-    """Of an unknown only what is named here: a field that is added later stays out."""
-    return Unknown(
-        statement=_statement(find.part),
-        names=find.names,
-        laws=(),
-        local=_recording(find.local),
-        in_givens=find.in_givens,
-        routes=tuple(SolvedRoute(Route("", (), 0), _recording(each.rule)) for each in find.routes),
-        mistakes=tuple(Mistake(each.text, _recording(each.rule), 0) for each in find.mistakes),
-        rejected=(),
-        dimensions=find.dimensions,
-        scale=find.scale,
-        note=None,
-    )
-
-
-def _statement(part: str) -> Statement:
-    return Statement(part, "", 0)
-
-
-def _law(law: AppliedLaw) -> AppliedLaw:
-    return AppliedLaw(law.name, "", "", law.textbook, law.vectors, law.here)
-
-
-def _recording(rule: Rule) -> Rule:
-    return replace(rule, runs={}, bank="") if isinstance(rule, SceneOutcome) else rule
+    routes = tuple(replace(each, rule=keeping(each.rule)) for each in find.routes)
+    mistakes = tuple(Mistake(each.text, keeping(each.rule), each.line) for each in find.mistakes)
+    return replace(find, local=keeping(find.local), routes=routes, mistakes=mistakes)

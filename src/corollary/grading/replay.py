@@ -106,16 +106,19 @@ def compute(rule: Rule, values: Letters) -> Values:
 
 
 @dataclass(frozen=True, slots=True)
-class SceneValue:
-    """An observed value with the absolute error (SI) of each component, and whether that is proven."""
+class Answered:
+    """An unknown's values (SI); `errors` are absolute, zero where `certified`; `bound` says that they are proven. `why` there is no
+    value: then they are not numbers."""
 
     values: Values
+    certified: bool
     errors: Values
     bound: bool
+    why: str = ""
 
 
 @lru_cache(maxsize=4096)
-def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str, bank: str) -> SceneValue:
+def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str, bank: str) -> Answered:
     """The observed value, and the error that the run states for it; `bank` is the folder of the bank whose scene it is.
 
     Raises Undefined when the scene refuses, NotDerivable for a fault of its code.
@@ -127,7 +130,7 @@ def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str,
             or f"scene {scene} does not observe {observe}; it observes {', '.join(outcome.observed)}"
         )
     seen = outcome.measured[observe]
-    return SceneValue(components(seen.value), components(seen.error), seen.error_is == "bound")
+    return Answered(components(seen.value), False, components(seen.error), seen.error_is == "bound")
 
 
 @lru_cache(maxsize=256)  # several finds observe one run, one after the other
