@@ -27,6 +27,7 @@ from corollary.records.submissions import (
     GUESSED,
     NOBODY,
     OLDER,
+    STAMP,
     UNCHANGED,
     UNUSABLE,
     WORKSHEET,
@@ -35,6 +36,7 @@ from corollary.records.submissions import (
     guessed_time,
     handed_in,
     keep,
+    own_folder,
     read_arrivals,
     remember,
     stamp,
@@ -97,7 +99,7 @@ def settled(
 ) -> Arrival:
     """What becomes of a student's latest notebook, against what lies in `submitted/` already."""
     place = course.place("submitted", latest.student, name)
-    if place.resolve() != (course.folder / "submitted").resolve() / latest.student / name:
+    if own_folder(course, name, latest.student) is None:
         return latest.arrival(UNUSABLE, f"{place} is a link or lies behind one; move it away")
     when, why = latest.when or datetime.now(UTC), latest.why
     if there is not None:
@@ -107,7 +109,7 @@ def settled(
             if latest.time == WORKSHEET and since != when and past.source(since):
                 moved.append(f"{latest.student} ({when:%Y-%m-%d %H:%M} UTC)")
                 if not dry_run:
-                    write_whole(place / "timestamp.txt", stamp(when))
+                    write_whole(place / STAMP, stamp(when))
             return latest.arrival(UNCHANGED, why)
         if since is not None and past.is_newer(since, latest):
             return latest.arrival(OLDER, "what lies in submitted/ is newer")
@@ -117,7 +119,7 @@ def settled(
         if isinstance(content, bytes) and not dry_run:
             keep(course, name, latest.student, content)
     if not dry_run:
-        write_whole(place / "timestamp.txt", stamp(when))
+        write_whole(place / STAMP, stamp(when))
         write_whole(course.notebook("submitted", latest.student, name), latest.content)
     return replace(latest, when=when).arrival(ACCEPTED, why.strip())
 

@@ -28,7 +28,7 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
 from corollary.records.manual_marks import OfStudent
 from corollary.records.marks import UNMARKED, PartRecord, Record, changed_by_points, out_of_now
-from corollary.records.submissions import beside, handed_in, stamp, stated
+from corollary.records.submissions import STAMP, beside, handed_in, own_folder, stamp, stated
 
 if TYPE_CHECKING:
     from nbgrader.api import Assignment, Grade, Gradebook, SubmittedAssignment, SubmittedNotebook
@@ -101,7 +101,7 @@ def record_several(
     with book.db.no_autoflush:
         for graded in several:
             student = graded.marked.student.id
-            stamp, when = _timestamp(course, name, student)
+            text, when = _timestamp(course, name, student)
             given = manual.get(student, {})
             submission = _record(course, book, name, graded, given, anew)
             followed += len(changed_by_points(given, graded.record)) if given else 0
@@ -109,7 +109,7 @@ def record_several(
             _set_dates(submission, problem_set.due, graded.submission.due)
             files[course.notebook("autograded", student, name)] = graded.notebook
             for file, content in (
-                ("timestamp.txt", stamp),
+                (STAMP, text),
                 ("submission_secret.txt", _secret(course, name, student)),
             ):
                 if content:  # release_feedback tells by them which hand-in a page is of, and where the student looks for it
@@ -241,20 +241,16 @@ def _timestamp(course: Course, name: str, student: str) -> tuple[str, datetime |
     if when is None:
         return "", None
     moment = _in_utc(when)
-    text = _stamped(beside(course, name, student, "timestamp.txt"), moment)
+    text = _stamped(beside(course, name, student, STAMP), moment)
     if text is None:
         text = stamp(when)
-        # A student's folder that is a link leads into another's, one that is a file or closed takes none: it is reported as
-        # unreadable already, and must not stop the marking of all the others.
+        # A folder that is a link or a file, or closed, takes none: it is reported as unreadable already, and must not stop the
+        # marking of all the others.
         with suppress(OSError):
-            own = course.place("submitted", student, name).resolve() == _own_place(course, name, student)
-            if own and stated(course, name, student) is not None:
-                write_whole(course.place("submitted", student, name) / "timestamp.txt", text)
+            place = own_folder(course, name, student)
+            if place is not None and stated(course, name, student) is not None:
+                write_whole(place / STAMP, text)
     return text, moment
-
-
-def _own_place(course: Course, name: str, student: str) -> Path:
-    return (course.folder / "submitted").resolve() / student / name
 
 
 def _stamped(content: bytes, moment: datetime | None) -> str | None:

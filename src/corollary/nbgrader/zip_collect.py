@@ -19,7 +19,7 @@ from corollary.guard import Failure, guarded
 from corollary.notebook.locate import origin
 from corollary.records.files import open_course, students
 from corollary.records.lms_names import Directory, again, file_words, lms_name
-from corollary.records.submissions import writable
+from corollary.records.submissions import stamp, writable
 from corollary.sandbox.archive import Member, members
 from corollary.sandbox.file import bytes_of
 from corollary.sandbox.notebook_file import Notebook, notebook_of
@@ -97,7 +97,7 @@ class OwnerCollector(FileNameCollectorPlugin):
         when = datetime.fromtimestamp(int(path.stat().st_mtime), UTC).replace(
             microsecond=min(999_999, again(path.stem)[1])
         )
-        return {"student_id": owner, "file_id": name, "timestamp": f"{when:%Y-%m-%d %H:%M:%S.%f} UTC"}
+        return {"student_id": owner, "file_id": name, "timestamp": stamp(when)}
 
 
 def _below(path: Path, extracted: str) -> tuple[str, ...]:

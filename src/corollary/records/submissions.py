@@ -133,9 +133,9 @@ class GuessedTime(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 def lateness(course: Course, problem_set: ProblemSet, student: str, terms: Terms) -> float:
-    """Seconds after the student's own deadline; 0 in time, for who is excused, and where the time is a guess."""
-    when = handed_in(course, problem_set.name, student)
-    if when is None or terms.due is None or terms.excused or _is_guess(course, problem_set.name, student):
+    """Seconds after the student's own deadline by timestamp.txt; 0 in time, for who is excused, and where the time is a guess."""
+    when = stated(course, problem_set.name, student)
+    if when is None or terms.due is None or terms.excused or guessed_time(course, problem_set.name, student):
         return 0.0
     return max(0.0, (when - terms.due.astimezone(UTC)).total_seconds())
 
@@ -157,16 +157,20 @@ def stated(course: Course, set_name: str, student: str) -> datetime | None:
         return None
 
 
+def own_folder(course: Course, set_name: str, student: str) -> Path | None:
+    """Where a student's hand-in lies; None where that is a link, or lies behind one, and leads into another student's."""
+    place = course.place("submitted", student, set_name)
+    return place if place.resolve() == (course.folder / "submitted").resolve() / student / set_name else None
+
+
 def settle_time(course: Course, set_name: str, student: str, terms: Terms) -> None:
     """Where timestamp.txt says no time: records a guess, sets what stood there aside, and writes the guess for nbgrader.
 
     Nothing is overwritten that could not be set aside. Whoever calls it is the only writer in the course. Raises OSError when
     the record cannot be written.
     """
-    place, age = course.place("submitted", student, set_name), handed_in(course, set_name, student)
-    own = (course.folder / "submitted").resolve() / student / set_name
-    # A folder that is a link leads into another student's, one that is closed takes no file: both are reported as unreadable.
-    if age is None or place.resolve() != own or stated(course, set_name, student) is not None:
+    place, age = own_folder(course, set_name, student), handed_in(course, set_name, student)
+    if age is None or place is None or stated(course, set_name, student) is not None:
         return
     content = bytes_of(place / STAMP, 1 << 10, course.folder / "submitted")
     if isinstance(content, Unreadable) and content.machine_failed:
@@ -273,10 +277,6 @@ def file_names(place: Path) -> list[str]:
         return sorted(name for name in os.listdir(place) if not name.startswith("."))
     except OSError:
         return []
-
-
-def _is_guess(course: Course, set_name: str, student: str) -> bool:
-    return stated(course, set_name, student) is None or guessed_time(course, set_name, student) is not None
 
 
 def _age(path: Path) -> datetime | None:

@@ -6,7 +6,7 @@ import re
 import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
-from datetime import UTC, timedelta
+from datetime import timedelta
 from pathlib import Path
 
 from corollary.answers.registry import answer_type
@@ -21,6 +21,7 @@ from corollary.notebook.notebook import filled_in
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.records.files import Course, open_course, roster_table
+from corollary.records.submissions import STAMP, stamp
 from corollary.sandbox.runner import Runner
 
 KEY = b"a course key for everyone to see"
@@ -110,7 +111,7 @@ def hand_in(course: Course, problem_set: ProblemSet, sheet: Worksheet, hand: Han
         write_whole(path, filled_in(sheet, hand.sources))
     if problem_set.due is not None:
         moment = problem_set.due + timedelta(hours=hand.late or -20)
-        write_whole(place / "timestamp.txt", f"{moment.astimezone(UTC):%Y-%m-%d %H:%M:%S.%f} UTC")
+        write_whole(place / STAMP, stamp(moment))
 
 
 def _played(
