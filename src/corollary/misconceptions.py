@@ -5,14 +5,13 @@ Each takes the name of the law whose place it takes (`instead`), as `mistake` do
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING, TypeAlias
 
 from corollary.derive.stated_words import line_of_word
 from corollary.derive.statements import Exchange, Mistake
 from corollary.formula.ast import (
-    Call,
     Expr,
     Name,
     Negative,
@@ -22,9 +21,9 @@ from corollary.formula.ast import (
     Quotient,
     Relation,
     Sum,
-    children,
+    cofunction,
+    mapped,
     names,
-    rebuilt,
     substitute,
 )
 from corollary.formula.plain_text import text
@@ -35,7 +34,6 @@ if TYPE_CHECKING:
     from sympy.logic.boolalg import Boolean
 
 Where: TypeAlias = "Boolean | bool | None"
-OTHER_SIDE: Mapping[str, str] = {"sin": "cos", "cos": "sin"}
 ZERO_CELSIUS = Fraction("273.15")  # K
 
 
@@ -43,7 +41,7 @@ def sine_for_cosine(right: str, *, instead: str = "", where: Where = None) -> Mi
     """Sine and cosine interchanged, wherever the law has them: `sine_for_cosine("F_x = F*cos(theta)")`."""
     return _bent(
         right,
-        lambda tree: _mapped(tree, _other_side),
+        lambda tree: mapped(tree, cofunction),
         "Sine and cosine have changed places: look which side of the triangle lies at the angle.",
         instead,
         where,
@@ -94,7 +92,7 @@ def not_squared(right: str, letter: str, *, instead: str = "", where: Where = No
                 return tree
 
     return _bent(
-        right, lambda tree: _mapped(tree, without_square), f"You forgot to square {letter}.", instead, where
+        right, lambda tree: mapped(tree, without_square), f"You forgot to square {letter}.", instead, where
     )
 
 
@@ -178,16 +176,3 @@ def _bent(
     return Mistake(
         sentence, Exchange((wrong(text(changed)),), (instead,) if instead else (), where), line_of_word()
     )
-
-
-def _mapped(tree: Expr, change: Callable[[Expr], Expr]) -> Expr:
-    """Each node changed, from the leaves up."""
-    return change(rebuilt(tree, tuple(_mapped(part, change) for part in children(tree))))
-
-
-def _other_side(tree: Expr) -> Expr:
-    match tree:
-        case Call(function, arguments) if function in OTHER_SIDE:
-            return Call(OTHER_SIDE[function], arguments)
-        case _:
-            return tree

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -112,6 +112,20 @@ def rebuilt(tree: Expr, below: tuple[Expr, ...]) -> Expr:
             return Call(function, below)
         case Relation(sign, _, _):
             return Relation(sign, *below)
+
+
+def mapped(tree: Expr, change: Callable[[Expr], Expr]) -> Expr:
+    """Each node changed, from the leaves up."""
+    return change(rebuilt(tree, tuple(mapped(part, change) for part in children(tree))))
+
+
+def cofunction(tree: Expr) -> Expr:
+    """The cosine for a sine, and the other way round; anything else as it is."""
+    match tree:
+        case Call("sin" | "cos" as function, arguments):
+            return Call("cos" if function == "sin" else "sin", arguments)
+        case _:
+            return tree
 
 
 def walk(tree: Expr) -> Iterator[Expr]:

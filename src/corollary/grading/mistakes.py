@@ -11,7 +11,7 @@ from corollary.answers.expected import Values
 from corollary.answers.tolerance import within
 from corollary.derive.solution import ClosedForms, Rule, Solution, once
 from corollary.derive.statements import Mistake
-from corollary.formula.ast import Call, Expr, children, rebuilt, substitute
+from corollary.formula.ast import Expr, cofunction, mapped, substitute
 from corollary.formula.ball import RationalPi, Undefined, holds
 from corollary.grading.key import Key, Truth
 from corollary.grading.replay import BY_THE_RULES, WhatIf, ancestors, letters_of, replay, without_noise
@@ -119,7 +119,7 @@ def slips_of_input(key: Key, truth: Truth, base: WhatIf) -> Iterator[tuple[Value
             yield from _replayed(key, truth, base, {**givens, given.symbol: bare}, _unconverted(given))
     if any(_is_angle(variant, given.symbol) for given in variant.problem.givens):
         swapped: dict[int, Rule] = {
-            place: ClosedForms(tuple(map(_swapped, find.local.trees)))
+            place: ClosedForms(tuple(mapped(tree, cofunction) for tree in find.local.trees))
             for place, find in enumerate(key.solution.unknowns)
             if isinstance(find.local, ClosedForms)
         }
@@ -149,13 +149,6 @@ def _unconverted(given: Given) -> str:
 def _is_angle(variant: Variant, symbol: str) -> bool:
     unit = variant.problem.given(symbol).unit
     return (bool(unit.pi) and unit.dimension == Dimension()) or unit.text == "rad"
-
-
-def _swapped(tree: Expr) -> Expr:
-    """The formula with sine and cosine exchanged."""
-    if isinstance(tree, Call) and tree.function in {"sin", "cos"}:
-        return Call("cos" if tree.function == "sin" else "sin", tuple(map(_swapped, tree.arguments)))
-    return rebuilt(tree, tuple(map(_swapped, children(tree))))
 
 
 @once

@@ -29,6 +29,7 @@ from corollary.formula.ast import (
     Relation,
     Sum,
     children,
+    cofunction,
     names,
     rebuilt,
 )
@@ -71,7 +72,6 @@ FACTORS: tuple[tuple[str, Expr], ...] = (
     ("prefix 10^-3", Quotient(Number(Fraction(1)), Number(Fraction(1000)))),
 )
 ONE, NOTHING = Number(Fraction(1)), Number(Fraction(0))
-OTHER = {"sin": "cos", "cos": "sin"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,8 +126,8 @@ def _of(tree: Expr, *, top: bool) -> Iterator[tuple[str, Expr]]:
         case Power(base, Number(value)):
             for step in (1, -1):
                 yield "exponent", _power(base, value + step)
-        case Call(function, arguments) if function in OTHER:
-            yield "sine for cosine", Call(OTHER[function], arguments)
+        case Call("sin" | "cos"):
+            yield "sine for cosine", cofunction(tree)
         case _:
             pass
     if isinstance(tree, Call) and tree.function in OPERATORS:
