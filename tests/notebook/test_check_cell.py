@@ -5,10 +5,13 @@ from __future__ import annotations
 import ast
 import base64
 import bz2
+import contextlib
+import io
 import json
 import subprocess
 import sys
 from importlib import metadata
+from types import SimpleNamespace
 
 import pytest
 
@@ -289,3 +292,78 @@ def test_check_speaks_the_language_of_the_notebook_where_nothing_of_ours_is_inst
     assert "read as 8.6 kg m/s" in number  # what nobody has translated yet is said in English
     assert nobody == "nobody: nekonata\n"
     assert "no answer yet" in alone(check_source(ada), tries[:1])["said"][0]
+
+
+class Kernel:
+    """A notebook's kernel as far as `check` knows it: it runs cells by their ids, and tells of each."""
+
+    def __init__(self, setup: str) -> None:
+        self._called: dict[str, list] = {"pre_run_cell": [], "post_run_cell": []}
+        events = SimpleNamespace(register=lambda name, call: self._called[name].append(call))
+        self.space: dict = {"get_ipython": lambda: SimpleNamespace(events=events), "In": [""]}
+        exec(setup, self.space)
+
+    def run(self, text: str, cell: str | None) -> None:
+        info = SimpleNamespace(raw_cell=text, cell_id=cell)
+        before = failed = None
+        for call in self._called["pre_run_cell"]:
+            call(info)
+        self.space["In"].append(text)
+        try:
+            code = compile(text, "cell", "exec")
+            try:
+                exec(code, self.space)
+            except Exception as error:
+                failed = error
+        except SyntaxError as error:
+            before = error
+        for call in self._called["post_run_cell"]:
+            call(SimpleNamespace(info=info, error_before_exec=before, error_in_exec=failed))
+
+    def says(self, name: str) -> str:
+        self.space["In"].append(f'check("{name}")')
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            self.space["check"](name)
+        return out.getvalue()
+
+
+NO_VALUE = "no answer yet: its cell gives X12_5_a no value; write X12_5_a = …"
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("X12_5_a: 9.3", NO_VALUE),
+        ("X12_5_a == 9.3", NO_VALUE),
+        ("X12_5_a := 9.3", NO_VALUE),
+        ("X12_5_a 9.3 N s", NO_VALUE),
+        ("X12_5a = 9.3", NO_VALUE),
+        ("# X12_5_a = 9.3", NO_VALUE),
+        ("p = 9.3", NO_VALUE),
+        ("", NO_VALUE),
+        ("X12_5_a = None\n9.3", NO_VALUE),
+        ("9.3 N s", 'no answer yet: a value needs its name: X12_5_a = "9.3 N s"'),
+        ("x12_5_a = 9.3", "no answer yet: x12_5_a is another name than X12_5_a"),
+        ("X12_5_a = 9.3 N s", 'no answer yet: a number with its unit stands in quotes: X12_5_a = "9.3 N s"'),
+        ("X12_5_a: float = 9.3", "read as 9.3 kg m/s"),
+        ("X12_5_a, other = 5, 3", "read as 5 kg m/s"),
+        ("for X12_5_a in [4, 5]: pass", "read as 5 kg m/s"),
+        ("X12_5_a += 1", "read as 6 kg m/s"),
+    ],
+)
+def test_it_speaks_of_what_stands_in_the_cell_now(ada: Worksheet, text: str, said: str):
+    kernel = Kernel(check_source(ada))
+    kernel.run("X12_5_a = 5", "its cell")
+    assert "read as 5 kg m/s" in kernel.says("X12_5_a")
+    kernel.run(text, "its cell")
+    assert said in kernel.says("X12_5_a")
+    kernel.run("X12_5_a = 7", "its cell")
+    assert "read as 7 kg m/s" in kernel.says("X12_5_a")
+
+
+@pytest.mark.parametrize("cell", ["another cell", None])
+def test_a_cell_that_is_not_the_answers_own_takes_no_value_away(ada: Worksheet, cell: str | None):
+    kernel = Kernel(check_source(ada))
+    kernel.run("X12_5_a = 5", "its cell")
+    kernel.run("X12_5_a == 9.3", cell)
+    assert "read as 5 kg m/s" in kernel.says("X12_5_a")

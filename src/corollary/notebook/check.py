@@ -11,7 +11,7 @@ from corollary.answers.answer_type import AnswerType
 from corollary.answers.preview import Preview
 from corollary.answers.question import Question
 from corollary.messages import catalogue, language
-from corollary.notebook.unbound import text_found, unquoted
+from corollary.notebook.unbound import binds, text_found, unquoted
 from corollary.sandbox.tagged import value_of
 from corollary.sandbox.worker.encode import encode
 
@@ -39,6 +39,12 @@ class Check:
         self._language = code
         self._before: dict[str, object] = {}
         self._stopped: dict[str, str] = {}
+        self._cells: dict[
+            str, str
+        ] = {}  # the cell of each answer, where the notebook names the cells it runs
+        self._older: dict[
+            str, str
+        ] = {}  # what stands now in a cell that gave an answer, and gives it no more
         shell = space.get("get_ipython")
         if callable(shell) and (events := getattr(shell(), "events", None)) is not None:
             events.register("pre_run_cell", self._note_values)
@@ -48,14 +54,24 @@ class Check:
         self._before = {name: self._space.get(name) for name in self._questions}
 
     def _note_error(self, result: Any) -> None:
-        """Notes of each answer whether the last cell that was to give its value stopped before it did; the value is then an older one."""
+        """Notes of each answer whether the last cell that was to give its value stopped before it did, or no longer gives it any;
+        the value is then an older one."""
         error = result.error_before_exec or result.error_in_exec
+        text, cell = str(result.info.raw_cell), getattr(result.info, "cell_id", None)
         for name in self._questions:
-            if not _assigns(name, str(result.info.raw_cell)):
-                continue
-            self._stopped.pop(name, None)
-            if error is not None and self._space.get(name) is self._before.get(name):
-                self._stopped[name] = type(error).__name__
+            unchanged = self._space.get(name) is self._before.get(name)
+            if _assigns(name, text) or binds(text, name):
+                self._stopped.pop(name, None)
+                self._older.pop(name, None)
+                if cell:
+                    self._cells[name] = cell
+                if error is not None and unchanged:
+                    self._stopped[name] = type(error).__name__
+            elif cell and cell == self._cells.get(name):
+                self._stopped.pop(name, None)
+                self._older.pop(name, None)
+                if unchanged:
+                    self._older[name] = text
 
     def __call__(self, *names: str) -> None:
         """Says how the answers with these names are read; all answers when no name is given.
@@ -101,7 +117,8 @@ class Check:
     def _why_unbound(self, name: str, blank: str) -> str:
         """Why the last text written for an answer gave it no value; what is older is not spoken of. Empty where it did.
 
-        IPython keeps the cells that were run, also those that failed; the last of them is the one that asks.
+        IPython keeps the cells that were run, also those that failed; the last of them is the one that asks. A cell that gave the
+        answer a value and was changed since is known by its id.
         """
         history = self._space.get("In")
         cells = (
@@ -109,7 +126,10 @@ class Check:
             if isinstance(history, list)
             else []
         )
-        last = next((text for text in reversed(cells) if _assigns(name, text)), "")
+        older = self._older.get(name)
+        last = (
+            next((text for text in reversed(cells) if _assigns(name, text)), "") if older is None else older
+        )
         if bare := unquoted(name, last, self._space.keys()):
             line = f'{name} = "{bare}"'
             if bare[0] in "+-.,0123456789":
@@ -117,7 +137,7 @@ class Check:
             return _("no answer yet: a formula, a letter or a word stands in quotes: {line}", line=line)
         if error := self._stopped.get(name):
             return _("no answer yet: its cell stopped with {error}; mend it and run it again", error=error)
-        if self._space.get(name) is not None:
+        if older is None and self._space.get(name) is not None:
             return ""
         for other in self._space:
             if other != name and other.lower() == name.lower() and other not in self._questions:
@@ -125,10 +145,15 @@ class Check:
         written = text_found(last, blank, name)
         if written.startswith(f"{name} =") and "#" in written:
             return _("no answer yet: what stands behind # is not read; write it in place of None")
-        before = cells[-2].strip() if len(cells) > 1 else ""
+        before = (cells[-2] if len(cells) > 1 else "") if older is None else older
+        before = before.strip()
         if BARE.fullmatch(before):
             value = before if before[0] in "\"'" else f'"{before}"'
             return _("no answer yet: a value needs its name: {line}", line=f"{name} = {value}")
+        if older is not None or written:
+            return _(
+                "no answer yet: its cell gives {name} no value; write {line}", name=name, line=f"{name} = …"
+            )
         if cells and not last and name not in self._space:
             return _("no answer yet: run the cell with your answer first")
         return ""

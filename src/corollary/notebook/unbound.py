@@ -9,6 +9,7 @@ from collections.abc import Collection
 
 REMARK = re.compile(r"#.*")
 LEADS_NOWHERE = re.compile(r"\s*(?:import\b|from\s+\S+\s+import\b|%|check\s*\()")
+BEFORE_VALUE = re.compile(r"(?:[#\s:=]|->|→|is\b)+")
 LONGEST = 80
 NO_ANSWER = re.compile(r"\bNone\b|\W|_")  # what may stand in a cell without being an answer
 
@@ -52,6 +53,33 @@ def unquoted(name: str, source: str, known: Collection[str] = ()) -> str:
         return "" if _is_python(text) or text[-1] in "([{,\\" else text
     made, used = _names(tree), {node.id for node in ast.walk(_parsed(text)) if isinstance(node, ast.Name)}
     return text if made is not None and used - made - {*known, *dir(builtins)} else ""
+
+
+def value_without_name(text: str, name: str) -> tuple[str, str]:
+    """The value in the one line that was found for `name` and not given to it, and that line without the name.
+
+    `X12_5_a == 8.6`, `8.6` and `# 8.6` have 8.6; several lines, and what is no value, have none.
+    """
+    if "\n" in text.strip() or not text.strip():
+        return "", ""
+    line = re.sub(rf"^[#\s]*{re.escape(name)}\b\s*", "", text.strip(), flags=re.IGNORECASE)
+    if re.match(r"[^\w\s:=]+=", line):  # `+= 8.6` changes a value that is not there
+        return "", ""
+    start = BEFORE_VALUE.match(line)
+    value = line[start.end() if start else 0 :].strip()
+    if value[:1] in ("'", '"') and value[:1] == value[-1:]:
+        value = value[1:-1]
+    return value, line
+
+
+def binds(source: str, name: str) -> bool:
+    """True if a statement of a cell gives `name` a value: an assignment, a loop, a definition, an import."""
+    try:
+        tree = ast.parse(source)
+    except (SyntaxError, ValueError):
+        return False
+    made = _names(tree)
+    return made is None or name in made
 
 
 def one_line(text: str) -> str:
@@ -104,7 +132,12 @@ def _computes(source: str, name: str) -> bool:
 def _names(tree: ast.Module) -> set[str] | None:
     """The names that a cell makes; None where it may make any."""
     found = set[str]()
+    declared = {
+        id(node.target) for node in ast.walk(tree) if isinstance(node, ast.AnnAssign) and not node.value
+    }
     for node in ast.walk(tree):
+        if id(node) in declared:  # `x: 3` declares and makes nothing
+            continue
         match node:
             case ast.Name(id=name, ctx=ast.Store()) | ast.arg(arg=name):
                 found.add(name)
