@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from corollary.answers.verdict import Right, Slip
+from corollary.grading.advice import advice
 from corollary.grading.assign import admitted
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
@@ -152,3 +153,13 @@ def test_only_the_whole_number_itself_is_right(counting, n, off):
     assert is_right(own, "b", n * (n - 1) // 2)
     assert not is_right(own, "b", n * (n - 1) // 2 + off)
     assert not is_right(own, "b", n * (n - 1) / 2 + off / 100)
+
+
+@pytest.mark.parametrize(
+    ("part", "told"), [("b", "`2*n`"), ("c", "`2*n`"), ("g", "`2*n`"), ("d", "as a formula of `v`, `w`")]
+)
+def test_plain_numbers_alone_are_not_checked_by_their_units(balls: Key, part: str, told: str):
+    """Every sum and product of them fits: units would find no mistake there."""
+    (check,) = [each for each in advice(balls, balls.variant.problem.part(part)) if "A check" in each]
+    assert told in check
+    assert ("units" in check) == ("formula of" in check)

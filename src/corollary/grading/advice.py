@@ -158,20 +158,26 @@ def _is_constant(key: Key, asked: Unknown) -> bool:
 
 
 def _check(key: Key, part: Part, asked: Unknown, matters: Sequence[Given]) -> str:
-    """Something to type that needs no key: half the step of a program, the answer as a formula, or at another value."""
+    """Something to type that needs no key and may fail: half the step of a program, the answer as a formula, or at another value."""
     if not isinstance(asked.local, ClosedForms):
         return _(
             "A check: halve the step of your program and type what it gives then; three figures must stay as they are."
         )
     if not matters:
-        going_in = _used(key, steps_to(key.solution, asked, set())) or key.variant.problem.givens
+        counted = part.id in key.truths and key.truths[part.id].counted
+        going_in = _used(key, steps_to(key.solution, asked, set()))
+        if not counted:  # who counts wrongly counts the same with other numbers
+            going_in = going_in or key.variant.problem.givens
         if not going_in:
             return ""
         return _(
             "A check: work it out once more with another value of `{letter}`; it must come to the same.",
             letter=going_in[0].symbol,
         )
-    if answer_type(part.answer_type).in_symbols:
+    units_tell = any(
+        each.unit.dimension != PURE.dimension for each in matters
+    )  # plain numbers make any sum fit
+    if answer_type(part.answer_type).in_symbols or not units_tell:
         return _(
             "A check: what must become of it when {quantity} is doubled? Type your formula with `2*{letter}` in the place of `{letter}`, and compare.",
             letter=matters[0].symbol,
