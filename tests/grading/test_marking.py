@@ -222,14 +222,16 @@ def problem_set_with_a_late_rule(tmp_path):
         ("X12_5_a = 9,3 kg m/s  # mine", 'write X12_5_a = "9,3 kg m/s"'),
         ("X12_5_a = m*v", 'write X12_5_a = "m*v"'),
         ("X12_5_a = -8.6 N s, to the left", 'write X12_5_a = "-8.6 N s, to the left"'),
-        ("9.3", "nothing in it is called X12_5_a"),
-        ("'9.3 kg m/s'", "nothing in it is called X12_5_a"),
-        ("9.3 kg m/s", "nothing in it is called X12_5_a"),
-        ("x12_5_a = 9.3", "nothing in it is called X12_5_a"),
-        ("p = 9.3", "nothing in it is called X12_5_a"),
-        ("X12_5_a = None   # 9.3 kg m/s", "nothing in it is called X12_5_a"),
-        ("X12_5_a = None\n# 9.3 kg m/s", "nothing in it is called X12_5_a"),
-        ('"X12_5_a" == "9.3 kg m/s"', "nothing in it is called X12_5_a"),
+        ("9.3", "it gives X12_5_a no value"),
+        ("'9.3 kg m/s'", "it gives X12_5_a no value"),
+        ("9.3 kg m/s", "it gives X12_5_a no value"),
+        ("x12_5_a = 9.3", "it gives X12_5_a no value"),
+        ("p = 9.3", "it gives X12_5_a no value"),
+        ("X12_5_a = None   # 9.3 kg m/s", "it gives X12_5_a no value"),
+        ("X12_5_a = None\n# 9.3 kg m/s", "it gives X12_5_a no value"),
+        ("X12_5_a: 9.3", "it gives X12_5_a no value"),
+        ("X12_5_a == 9.3", "it gives X12_5_a no value"),
+        ('"X12_5_a" == "9.3 kg m/s"', "it gives X12_5_a no value"),
     ],
 )
 def test_what_was_written_without_giving_an_answer_waits_for_a_person(
@@ -292,3 +294,45 @@ def test_a_cell_without_an_answer_is_blank(
     part = next(grade for grade in found.grades if grade.variant.problem.code == "X12.5")["a"]
     assert part.feedback == "No answer was given."
     assert not found.notes
+
+
+@pytest.mark.parametrize(
+    ("source", "typed"),
+    [
+        ("{name}: {right}", ": {right}"),
+        ("{name} == {right}", "== {right}"),
+        ("{name} := {right}", ":= {right}"),
+        ("{right} N s", "{right} N s"),
+        ("'{right} N s'", "'{right} N s'"),
+        ("# {right} kg m/s", "# {right} kg m/s"),
+        ("#{name} = {right}", "= {right}"),
+        ("{name} = None\n{right}", "{right}"),
+        ("{lower} = {right}", "= {right}"),
+        ("{name} is {right} N s", "is {right} N s"),
+    ],
+)
+def test_a_right_value_that_no_cell_gave_to_its_name_is_a_near_miss(
+    marked: Callable[[NotebookNode], Marked],
+    whole: NotebookNode,
+    source: str,
+    typed: str,
+):
+    fill = {"name": "X12_5_a", "lower": "x12_5_a", "right": "8.6"}
+    set_answer(whole, "X12_5_a", source.format(**fill))
+    part = next(grade for grade in marked(whole).grades if grade.variant.problem.code == "X12.5")["a"]
+    assert isinstance(part.verdict, Unmarked)
+    assert not part.points
+    assert part.near is not None
+    assert (part.near.kind, part.near.text) == ("value not given to its name", typed.format(**fill))
+
+
+@pytest.mark.parametrize(
+    "source",
+    ["# 11.8", "X12_5_a == 11.8", "X12_5_a -= 8.6", "m = 0.43\nX12_5_a == 8.6", "X12_5_a == not 8.6"],
+)
+def test_what_is_wrong_or_no_value_is_no_near_miss(
+    marked: Callable[[NotebookNode], Marked], whole: NotebookNode, source: str
+):
+    set_answer(whole, "X12_5_a", source)
+    part = next(grade for grade in marked(whole).grades if grade.variant.problem.code == "X12.5")["a"]
+    assert part.near is None

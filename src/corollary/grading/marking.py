@@ -26,7 +26,7 @@ from corollary.notebook.locate import (
     written_text,
 )
 from corollary.notebook.notebook import notebook as handed_out
-from corollary.notebook.unbound import one_line, unquoted
+from corollary.notebook.unbound import one_line, unquoted, value_without_name
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.sandbox.file import Unreadable
@@ -140,9 +140,18 @@ def _grade(
     explained = tuple(
         _explained(part, prompt, notebook, ran) for part, prompt in zip(graded.parts, prompts, strict=True)
     )
-    typed = {prompt.part.id: _without_quotes(prompt, notebook) for prompt in prompts}
-    written = {part: typed[part] if isinstance(value, Nothing) else value for part, value in answers.items()}
-    return with_near_misses(keys[code], replace(graded, parts=explained), written)
+    written, nameless = dict(answers), dict[str, str]()
+    for prompt in prompts:
+        part = prompt.part.id
+        if isinstance(answers[part], Nothing):
+            text = written_elsewhere(notebook.node, prompt)
+            if bare := unquoted(prompt.name, text):
+                written[part] = Text(bare)
+                continue
+            value, line = value_without_name(text, prompt.name)
+            if value:
+                written[part], nameless[part] = Text(value), line
+    return with_near_misses(keys[code], replace(graded, parts=explained), written, nameless)
 
 
 def _answer(prompt: Prompt, notebook: Notebook, executed: ExecutionResult) -> Value:
@@ -197,17 +206,11 @@ def _left_to_a_person(part: PartGrade, prompt: Prompt, notebook: Notebook) -> Pa
         )
         if bare
         else _(
-            "Your cell was changed, but nothing in it is called {name}. A person will read what you wrote.",
+            "Your cell was changed, but it gives {name} no value. A person will read what you wrote.",
             name=prompt.name,
         )
     )
     return replace(part, verdict=Unmarked(sentence), answer=text, feedback=sentence)
-
-
-def _without_quotes(prompt: Prompt, notebook: Notebook) -> Value:
-    """The text that a cell gives to the name of its answer without quotes."""
-    bare = unquoted(prompt.name, written_elsewhere(notebook.node, prompt))
-    return Text(bare) if bare else Nothing()
 
 
 def _unbound(sheet: Worksheet, grades: Iterable[Grade], notebook: Notebook) -> Iterator[str]:

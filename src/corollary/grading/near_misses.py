@@ -16,6 +16,7 @@ from corollary.grading.judge import read, values_in, verdict_on
 from corollary.grading.key import Key
 from corollary.grading.other_readings import (
     CASE,
+    NO_NAME,
     NO_QUOTES,
     OTHER_LETTER,
     POWER,
@@ -35,11 +36,15 @@ LONGEST = 2.0
 """Seconds of the processor for all readings of one answer; a hundredth is usual."""
 
 
-def with_near_misses(key: Key, grade: Grade, answers: Mapping[str, Value]) -> Grade:
+def with_near_misses(
+    key: Key, grade: Grade, answers: Mapping[str, Value], nameless: Mapping[str, str] | None = None
+) -> Grade:
     """The grade, in which each part that earned nothing has the other reading by which it would be right, where there is one.
 
-    Right is, too, what follows from the student's own earlier answers. No verdict and no points are changed.
+    Right is, too, what follows from the student's own earlier answers. No verdict and no points are changed. `nameless`: how the
+    answers stand in their cells that no cell gave to their names.
     """
+    lines = nameless or {}
     if not any(_may_be_one(part, answers) for part in grade.parts):
         return grade
     so_far, parts = dict[str, Values](), list[PartGrade]()
@@ -51,7 +56,8 @@ def with_near_misses(key: Key, grade: Grade, answers: Mapping[str, Value]) -> Gr
         expected = expected_of(key, part.part, so_far)
         answer = read(part.part, value, expected, key.variant)
         if _may_be_one(part, answers):
-            found = guarded(partial(_near_miss, key.variant, part, value, answer, expected), LONGEST)
+            text = lines.get(part.part.id, "")
+            found = guarded(partial(_near_miss, key.variant, part, value, answer, expected, text), LONGEST)
             part = replace(part, near=None if isinstance(found, Failure) else found)
         if (values := values_in(answer, expected)) is not None:
             so_far[part.part.id] = values
@@ -78,11 +84,12 @@ def _may_be_one(part: PartGrade, answers: Mapping[str, Value]) -> bool:
 
 
 def _near_miss(
-    variant: Variant, grade: PartGrade, value: Value, answer: Answer, expected: Expected
+    variant: Variant, grade: PartGrade, value: Value, answer: Answer, expected: Expected, nameless: str
 ) -> NearMiss | None:
-    """The first other reading that is right."""
+    """The first other reading that is right; `nameless` is the text of an answer that was not given to its name."""
     part = grade.part
-    as_typed = [(NO_QUOTES, answer)] if isinstance(grade.verdict, Unmarked) else []
+    kind_typed = NO_NAME if nameless else NO_QUOTES
+    as_typed = [(kind_typed, answer)] if isinstance(grade.verdict, Unmarked) else []
     wrong = set[tuple[tuple[float, ...], ...]]()
     for kind, other in (*as_typed, *_readings(variant, part, value, answer, expected)):
         if isinstance(other, Numbers) and not other.misfit and not other.in_words:
@@ -91,7 +98,7 @@ def _near_miss(
                 continue
             wrong.add(number)
         if isinstance(verdict_on(part.answer_type, other, expected), Right | Follows):
-            return NearMiss(kind, text_typed(value), other.as_read)
+            return NearMiss(kind, nameless or text_typed(value), other.as_read)
     return None
 
 

@@ -53,6 +53,7 @@ IN_WORDS = "one number in words that were not read"
 SEVERAL = "one of several numbers"
 OPTION = "one option in words that were not read"
 NO_QUOTES = "text without quotes"
+NO_NAME = "value not given to its name"
 SIGN = "sign told in words"
 TWO_WAYS = "one of the ways in which it can be read"
 
