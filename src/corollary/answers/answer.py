@@ -17,6 +17,7 @@ class Numbers:
     `sizes` are the SI values of the units the numbers were written in (the part's own unit where there are none), `zeros` where
     these units begin (0 but for °C and °F; the part's own where there are none).
     `beside` are formulas of the givens on the left of the number, which must come to it: `m*v` of `m*v = 8.6`.
+    `open_words` stand beside the number and may make it the value of something else; `turning_words` may be its sign.
     `polar` are the length and the angle of a vector that was written so: its components have no figures of their own.
     """
 
@@ -31,6 +32,8 @@ class Numbers:
     polar: tuple[Numbers, Numbers] | None = None
     beside: tuple[Expr, ...] = ()
     zeros: tuple[float, ...] = ()
+    open_words: str = ""
+    turning_words: str = ""
 
 
 @dataclass(frozen=True, slots=True)

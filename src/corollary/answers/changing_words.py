@@ -8,7 +8,7 @@ from corollary.answers.number_words import NUMBERS
 from corollary.answers.sign_words import SIGNS
 
 WORD = re.compile(r"[^\W\d_]+")
-NEGATIONS: str = "not no never neither nor none nicht kein keine nie ikke ingen aldri"
+NEGATIONS: str = "not no never neither nor none non hardly barely scarcely nicht kein keine keiner keines nie niemals keineswegs keinesfalls ikke ingen intet inga aldri"
 CHANGES = (
     "minus plus times half third quarter twice double doubled triple thrice negative negativ negatives not no wrong false incorrect without except "
     "opposite reverse reversed inverse reciprocal root square squared cube cubed sine cosine tangent logarithm divided multiplied over "

@@ -189,7 +189,8 @@ class Direction:
 
 def directed(question: Question) -> bool:
     """Whether what is asked for turns with the axes, so that a remark on them means something."""
-    return bool(question.components) or question.unit.dimension in DIRECTED
+    named = any(not name.isdigit() for name in question.components)
+    return named or question.unit.dimension in DIRECTED
 
 
 def on_usual_axes(value: Value, question: Question, read: Callable[[Value], Answer]) -> Answer:

@@ -31,6 +31,14 @@ class Preview:
     text: str
 
 
+def about_open_words(words: str) -> str:
+    """What the words beside a number make of it."""
+    return _(
+        "a person will read what \u201c{words}\u201d says of it; write the number and its unit alone",
+        words=words,
+    )
+
+
 def preview_of(answer: Answer) -> Preview:
     """How an answer was read, or why it could not be."""
     match answer:
@@ -42,6 +50,11 @@ def preview_of(answer: Answer) -> Preview:
             return Preview(False, _("read as {answer}: {remark}", answer=in_convention(as_read), remark=why))
         case Numbers(as_read=as_read, missing=how) if how:
             return Preview(True, _("read as {answer}, {how}", answer=in_convention(as_read), how=how))
+        case Numbers(as_read=as_read, open_words=words) if words:
+            remark = about_open_words(words)
+            return Preview(
+                True, _("read as {answer}; {remark}", answer=in_convention(as_read), remark=remark)
+            )
         case Numbers(figures=figures, as_read=as_read):
             count = figures[0] if len(set(figures)) == 1 else 0
             if not count:

@@ -29,7 +29,8 @@ KILO = re.compile(r"\s*[Kk]ilos?\s*")  # said for kilograms
 IN = re.compile(r"in\s+(?=\S)")
 # A temperature as it is typed in a hurry: `25 ⁰C` with a raised zero, `25 oC`, `25 C°`, `77 F`.
 DEGREE = re.compile(
-    r"\s*(?:[⁰oO0]\s?|[°º]\s?|deg\s?)?(?P<scale>[CF])\s*[°º]?\s*|\s*(?:[°º⁰]|deg(?:rees?)?)\s*"
+    r"\s*(?:[⁰oO0]\s?|[°º]\s?|deg\s?|[Gg]rad(?:er)?\s?)?(?P<scale>[CF])(?:elsius|ahrenheit)?\s*[°º]?\s*"
+    r"|\s*(?:[°º⁰]|deg(?:rees?)?|[Gg]rad(?:er)?)\s*"
 )
 POUND = re.compile(r"(?<![A-Za-z])(?:lbs?|[Pp]ounds?|[Pp]funde?|[Pp]und)(?![A-Za-z])")
 UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")

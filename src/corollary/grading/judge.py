@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
 from corollary.answers.answer import Answer, Blank, Entries, Formulas, Numbers, Prose, Unclear
 from corollary.answers.expected import Expected, Values
 from corollary.answers.judge_formulas import values_of
+from corollary.answers.preview import about_open_words
 from corollary.answers.questions import question_in
 from corollary.answers.registry import BUILT_IN, answer_type, judging
 from corollary.answers.renamed_letters import in_letters
@@ -25,7 +26,7 @@ from corollary.grading.guesses import for_nothing, guessed, one_number, own_work
 from corollary.grading.key import Key
 from corollary.grading.rounding import LEAST_TOLERANCE
 from corollary.guard import Failure, guarded
-from corollary.messages import catalogue
+from corollary.messages import catalogue, in_convention
 from corollary.problem.part import Part
 from corollary.problem.variant import Variant
 
@@ -193,6 +194,22 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
                 )
             end = "" if why.endswith((".", "?")) else "."
             return Unread(_begun(why + end, answer.as_read))
+        case Numbers(values, open_words=words, turning_words=turning) if words or turning:
+            bare = replace(answer, open_words="", turning_words="")
+            found = verdict_on(name, bare, expected)
+            right = isinstance(found, Right | Follows)
+            if not right and turning and any(values):
+                turned = replace(bare, values=tuple(-value for value in values))
+                right, words = isinstance(verdict_on(name, turned, expected), Right | Follows), turning
+            if not (right and words):
+                return found
+            return Unmarked(
+                _(
+                    "Read as {answer}; {remark}.",
+                    answer=in_convention(answer.as_read),
+                    remark=about_open_words(words),
+                )
+            )
         case Numbers(values=(value,), beside=beside) if beside and expected.quantity is not None:
             for tree in beside:
                 found = values_of((tree,), expected.quantity.givens())

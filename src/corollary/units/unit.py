@@ -114,6 +114,7 @@ IN_OTHER_WORDS = {
     re.compile(pattern): sign
     for pattern, sign in {
         r"(?<![A-Za-z])times (?:an?|per|each|every)\s+(?=[a-z])": "1/",
+        r"(?<=[A-Za-z]) in (?:an?|one|1|einer?|ett?) ?(?=(?:s|sec|seconds?|min|minutes?|h|hours?|Sekunden?|Minuten?|Stunden?|sekund|minutt|time)(?![A-Za-z]))": "/",
         r"(?<=[a-z]) an? (?=second|minute|hour|day|week|year)": "/",
         r"(?<![A-Za-z])per mille?(?![a-z])": "‰",
         r"(?<![A-Za-z])light[ -]year": "lightyear",

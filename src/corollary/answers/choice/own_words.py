@@ -10,7 +10,7 @@ from corollary.answers.changing_words import NEGATIONS, words_of
 from corollary.answers.number_words import NUMBERS
 from corollary.answers.remark import BECAUSE
 
-MOST_WORDS = 24
+MOST_WORDS, LONG = 24, 5
 # Words that mean nothing by themselves; of `as large as` and `four times as high` the number is what counts.
 FILLING: str = (
     "the a an of to in on at for from by with its it is are was be been being as that this those these they them he she his her i we you my think "
@@ -28,6 +28,8 @@ SAME_AS: dict[str, str] = {
     "quadruple": "4 times", "quadrupled": "4 times", "twice": "2 times",
 }  # fmt: skip
 PHRASES = (
+    (re.compile(r"\b(in|un|non)-(?=[^\W\d_]{4})"), r"\1"),  # `in-elastic`
+    (re.compile(r"\b(?:far|anything|nothing) (?:from|but|like)\b"), "not"),
     (re.compile(r"^\s*(yes|no)\b[,.:;]?\s+(?=\w)"), r"said\1 "),
     (
         re.compile(r"[,;(]\s*(?:i\.e\.|that is|so|=)?\s*[0-9.,]+\s*[a-zµ°%][a-z/°%²³]*\)?\s*\.?$"),
@@ -152,6 +154,11 @@ def _worded(typed: list[str], known: Mapping[str, list[str]], repeated: set[str]
         return Worded("", sure=False)
     if "and" in option and "and" not in typed and not set(met) & set(option[option.index("and") :]):
         return Worded("", sure=False)  # one of two
+    if len(option) > LONG and set(option) - set(typed) and len(set(met)) > len(set(option)) / 2:
+        return Worded(letter, sure=False)  # an option copied but for a word
+    others = {word for word in typed if word not in everywhere}
+    if others & repeated and set(option) - set(typed) - shared:
+        return Worded(letter, sure=False)  # `further from the screen` for *further from the slide*
     in_order = [word for word in dict.fromkeys(option) if word in met] == list(dict.fromkeys(met))
     in_order = in_order or (len(set(met)) < 3 and "than" not in option)
     return Worded(letter, sure=in_order and all(word in everywhere | repeated | ADDED for word in typed))

@@ -8,6 +8,7 @@ from typing import final
 
 from corollary.answers.answer import Answer, Blank, Letter, Unclear
 from corollary.answers.answer_type import AnswerType
+from corollary.answers.changing_words import NEGATIONS, words_of
 from corollary.answers.choice.option_text import folded, normal_form
 from corollary.answers.choice.own_words import option_worded
 from corollary.answers.numbers import PLACEHOLDERS, turned_away
@@ -22,7 +23,7 @@ _ = catalogue(__name__)
 
 LONGEST = 400
 AROUND = r"[\s()\[\].:;,!*_\"'“”„‘’`$]*"
-LEAD = r"(?:die |der |das |i (?:think|choose|chose|pick|believe|say) |it is |it's |it must be |my )?(?:the )?"
+LEAD = r"(?:(?:die |der |das |(?:i|we) (?:would )?(?:think|choose|chose|pick|believe|say) |that |it is |it's |it must be |my |the ))*"
 NAMED = r"(?:option|answer|choice|alternative|letter|svar|alternativ|antwort|lösung)(?: is)?"
 HOLDS = r"(?:is|ist|er) (?:the )?(?:correct|right|true|richtig|korrekt|riktig|rett|sann)(?: (?:one|answer|option|choice))?"
 REASON = rf"{BECAUSE}|as|da|denn|siden"
@@ -41,6 +42,8 @@ DENIED_BEHIND = re.compile(
     r"\s*(?:or|and|but|not|no|if|oder|und|aber|nicht|eller|og|men|ikke|is (?:not|wrong|false))\b",
     re.IGNORECASE,
 )
+DENIED_WORD = re.compile(rf"\b(?:{'|'.join(NEGATIONS.split())})\s+(?:the |a |an )?([^\W\d_]+)", re.IGNORECASE)
+UNTICKED = re.compile(r"\s*(?:[-*]\s*)?\[\s*\]|\s*\\bar\b")  # `[ ] B`
 LABEL_BEHIND = re.compile(r"\s*[\[(](?P<letter>[A-Za-z])[\])]\s*$")
 LED = re.compile(
     r"(?:it|this|that|they)(?:['’]s| is| are)\s+|(?:across|through|at|in)\s+(?=the\b)", re.IGNORECASE
@@ -79,7 +82,7 @@ class ChoiceType(AnswerType):
                 return Blank()
             case Text(text) if len(text) > LONGEST:
                 return Unclear(wanted, text.strip()[:40])
-            case Text(text) if DENIED.match(text):
+            case Text(text) if DENIED.match(text) or UNTICKED.match(text):
                 return Unclear(wanted, text.strip()[:40])
             case Text(text):
                 meant = _by_its_words(text, question)
@@ -149,7 +152,7 @@ def _by_its_words(text: str, question: Question) -> str | None:
         if meant not in ("", letter):
             return None
         if label["letter"] and label["letter"].isupper() and _explains(words, options):
-            return letter
+            return None if _denies(words, options[letter]) else letter
         started = normal_form(words) and folded(options[letter]).startswith(folded(words))
         return letter if started or meant else ""
     if same := _copied(text, options):
@@ -168,7 +171,13 @@ def _by_its_words(text: str, question: Question) -> str | None:
 def _explains(words: str, options: Mapping[str, str]) -> bool:
     """True for an explanation behind a letter, which names no other letter and takes nothing back."""
     other = re.search(rf"\b[{''.join(options).upper()}]\b", words)
-    return other is None and len(words.split()) > 2 and DENIED_BEHIND.match(words) is None
+    return other is None and words.strip() != "" and DENIED_BEHIND.match(words) is None
+
+
+def _denies(words: str, option: str) -> bool:
+    """True for a negation in front of a word of the option itself: `not down (C)`."""
+    own = words_of(option)
+    return any(found[1].lower() in own for found in DENIED_WORD.finditer(words))
 
 
 def _shortened(text: str, options: Mapping[str, str]) -> str:

@@ -9,6 +9,7 @@ from corollary.answers.answer import Answer, Formulas, Numbers, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.blanks import blank_number, blank_numbers
 from corollary.answers.numbers import scalar
+from corollary.answers.open_words import with_open_words
 from corollary.answers.question import Question
 from corollary.answers.vectors import vector
 from corollary.formula.value import Value
@@ -32,8 +33,8 @@ class ExampleType(AnswerType):
         if isinstance(found, Numbers) and found.misfit:
             # Components of several kinds (a mass and a velocity) are asked for as plain numbers in SI: their own units will do.
             own_units = question.unit.text == "1"
-            return replace(found, misfit="") if own_units else Unclear(found.misfit, found.as_read)
-        return found
+            found = replace(found, misfit="") if own_units else Unclear(found.misfit, found.as_read)
+        return with_open_words(found, value, question)
 
 
 TYPE = ExampleType()

@@ -9,6 +9,7 @@ from typing import final
 from corollary.answers.answer import Answer, Numbers, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.numbers import scalar
+from corollary.answers.open_words import with_open_words
 from corollary.answers.question import Question
 from corollary.answers.vectors import vector
 from corollary.formula.value import Text, Value
@@ -63,27 +64,44 @@ class IntervalType(AnswerType):
         return f"{question.name} = None   # " + _('an interval as text: "-1.5 to 2.5"')
 
     def read(self, value: Value, question: Question) -> Answer:
-        if isinstance(value, Text) and len(value.text) <= LONGEST:
-            if (around := AROUND.fullmatch(value.text)) is not None:
-                return _around(around["middle"], around["half"], around["unit"], question)
-            if (sides := TO_EITHER_SIDE.fullmatch(value.text)) is not None:
-                value = Text(f"-{sides['end']}; {sides['end']}")
-            elif (found := OPEN.fullmatch(value.text)) is not None:
-                value = Text(f"({found['low']}; {found['high']}) {found['unit'] or ''}".strip())
-            elif (
-                found := TWO_BOUNDS.fullmatch(value.text)
-                or CHAIN.fullmatch(value.text)
-                or DASH.fullmatch(value.text)
-                or FROM_TO.fullmatch(value.text)
-            ) is not None:
-                value = Text(f"{found['low']}; {found['high']}")
-        answer = vector(value, question)
-        if isinstance(answer, Numbers):
-            low, high = answer.as_read.removeprefix("(").removesuffix(")").split(", ", 1)
-            return replace(answer, as_read=_("from {low} to {high}", low=low, high=high))
-        if isinstance(answer, Unclear) and isinstance(value, Text) and _is_one_end(value.text, question):
-            return replace(answer, why=_('an interval has two ends; write both, such as "-1.5 to 2.5"'))
-        return answer
+        return with_open_words(_interval(value, question), value, question)
+
+
+def _interval(value: Value, question: Question) -> Answer:
+    """The interval that a value is."""
+    if isinstance(value, Text) and len(value.text) <= LONGEST and (ends := CHAIN.fullmatch(value.text)):
+        return _between(ends, question)
+    if isinstance(value, Text) and len(value.text) <= LONGEST:
+        if (around := AROUND.fullmatch(value.text)) is not None:
+            return _around(around["middle"], around["half"], around["unit"], question)
+        if (sides := TO_EITHER_SIDE.fullmatch(value.text)) is not None:
+            value = Text(f"-{sides['end']}; {sides['end']}")
+        elif (found := OPEN.fullmatch(value.text)) is not None:
+            value = Text(f"({found['low']}; {found['high']}) {found['unit'] or ''}".strip())
+        elif (
+            found := TWO_BOUNDS.fullmatch(value.text)
+            or DASH.fullmatch(value.text)
+            or FROM_TO.fullmatch(value.text)
+        ) is not None:
+            value = Text(f"{found['low']}; {found['high']}")
+    answer = vector(value, question)
+    if isinstance(answer, Numbers):
+        low, high = answer.as_read.removeprefix("(").removesuffix(")").split(", ", 1)
+        return replace(answer, as_read=_("from {low} to {high}", low=low, high=high))
+    if isinstance(answer, Unclear) and isinstance(value, Text) and _is_one_end(value.text, question):
+        return replace(answer, why=_('an interval has two ends; write both, such as "-1.5 to 2.5"'))
+    return answer
+
+
+def _between(ends: re.Match[str], question: Question) -> Answer:
+    """`-0.2 m < x < 0.2 m`, or with both signs the other way."""
+    signs = {"<" if sign in "<≤" else ">" for sign in re.findall(r"[<≤>≥]", ends[0])}
+    low, high = (ends["low"], ends["high"]) if signs == {"<"} else (ends["high"], ends["low"])
+    found = _interval(Text(f"{low}; {high}"), question)
+    if len(signs) == 2 or (isinstance(found, Numbers) and found.values[0] > found.values[1]):
+        why = _('no number lies in {text}; write both ends, such as "-1.5 to 2.5"', text=ends[0].strip())
+        return Unclear(why, ends[0].strip())
+    return found
 
 
 def _is_one_end(text: str, question: Question) -> bool:

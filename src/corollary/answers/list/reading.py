@@ -9,6 +9,7 @@ from typing import final
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.numbers import scalar
+from corollary.answers.open_words import with_open_words
 from corollary.answers.question import Question
 from corollary.answers.vectors import vector
 from corollary.formula.value import Items, Nothing, Text, Value
@@ -41,19 +42,24 @@ class ListType(AnswerType):
         return f"{question.name} = []   # " + _("all of them, in any order: numbers, or texts with a unit")
 
     def read(self, value: Value, question: Question) -> Answer:
-        if isinstance(value, Items) and all(isinstance(item, Nothing) for item in value.items):
-            return Blank()
-        if isinstance(value, Text) and len(value.text) <= LONGEST and BY_BLANKS.fullmatch(value.text):
-            value = Text(re.sub(r"(?<=[0-9])\s+(?=[-+0-9])", "; ", value.text.strip()))  # `0.359 2.09`
-        if isinstance(value, Text) and len(value.text) <= LONGEST and AND.search(value.text):
-            value = Text(re.sub(r"\s*,\s+", "; ", AND.sub("; ", value.text)))
-        found = _of(value, _wanted(value, len(question.components)), question)
-        if isinstance(found, Unclear) and not found.readings:
-            for count in _counts(value):
-                other = _of(value, count, question)
-                if isinstance(other, Numbers | Formulas):
-                    return other
-        return found
+        return with_open_words(_list(value, question), value, question)
+
+
+def _list(value: Value, question: Question) -> Answer:
+    """The list that a value is."""
+    if isinstance(value, Items) and all(isinstance(item, Nothing) for item in value.items):
+        return Blank()
+    if isinstance(value, Text) and len(value.text) <= LONGEST and BY_BLANKS.fullmatch(value.text):
+        value = Text(re.sub(r"(?<=[0-9])\s+(?=[-+0-9])", "; ", value.text.strip()))  # `0.359 2.09`
+    if isinstance(value, Text) and len(value.text) <= LONGEST and AND.search(value.text):
+        value = Text(re.sub(r"\s*,\s+", "; ", AND.sub("; ", value.text)))
+    found = _of(value, _wanted(value, len(question.components)), question)
+    if isinstance(found, Unclear) and not found.readings:
+        for count in _counts(value):
+            other = _of(value, count, question)
+            if isinstance(other, Numbers | Formulas):
+                return other
+    return found
 
 
 def _of(value: Value, count: int, question: Question) -> Answer:

@@ -10,6 +10,7 @@ from corollary.answers.blanks import blank_number
 from corollary.answers.bound import bound_in, bounded
 from corollary.answers.direction import on_usual_axes, with_direction
 from corollary.answers.numbers import scalar
+from corollary.answers.open_words import with_open_words
 from corollary.answers.question import Question
 from corollary.formula.value import Text, Value
 from corollary.messages import catalogue
@@ -36,7 +37,7 @@ class ValueType(AnswerType):
         def directed(own: Value) -> Answer:
             return with_direction(own, question, lambda bare: scalar(bare, question))
 
-        return on_usual_axes(value, question, directed)
+        return with_open_words(on_usual_axes(value, question, directed), value, question)
 
 
 TYPE = ValueType()

@@ -8,6 +8,7 @@ from corollary.answers.answer import Answer
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.blanks import blank_numbers
 from corollary.answers.direction import on_usual_axes
+from corollary.answers.open_words import with_open_words
 from corollary.answers.question import Question
 from corollary.answers.vectors import vector
 from corollary.formula.value import Value
@@ -34,7 +35,8 @@ class VectorType(AnswerType):
         return blank_numbers(question)
 
     def read(self, value: Value, question: Question) -> Answer:
-        return on_usual_axes(value, question, lambda own: vector(own, question))
+        found = on_usual_axes(value, question, lambda own: vector(own, question))
+        return with_open_words(found, value, question)
 
 
 TYPE = VectorType()
