@@ -103,6 +103,9 @@ MADE_OF_IT = re.compile(
     r"|\bis (?P<made>(?:its|the) (?:square|root|inverse|half|double)|twice|half|double)\b",
     re.IGNORECASE,
 )
+# `cooled by 45 °C`: a change, where none is asked for.
+BY = re.compile(r"(?<!given )\b(?:by|um)\s+(?=[-+−]?[0-9])", re.IGNORECASE)
+ASKED_BY = re.compile(r"\b(?:by|um|much|far|chang\w*|factor|wie viel|hvor mye)\b", re.IGNORECASE)
 RECKONING = re.compile(r"\b(?:divided|over|times|per|geteilt|durch|mal|delt|ganger)\b", re.IGNORECASE)
 PREFIXES = frozenset(
     ["kilo", "mega", "giga", "milli", "micro", "nano", "centi", "deci"]
@@ -131,12 +134,13 @@ def with_open_words(answer: Answer, value: Value, question: Question) -> Answer:
     if isinstance(answer, Unclear):
         return replace(answer, sign_alone=answer.sign_alone and not words)
     if answer.in_words:  # the sign stands in them, and was read
+        signs = set[str]()
         words = tuple(word for word in words if word.lower() not in _turning())
-    elif directed(question) or answer.values[0] < 0:
-        words = tuple(word for word in words if word.lower() not in _turning())
+    else:
         signs |= {word.lower() for word in words}
-    turning = () if answer.in_words else tuple(sorted(signs))
-    return replace(answer, open_words=", ".join(words), turning_words=", ".join(turning))
+        if directed(question) or answer.values[0] < 0:
+            words = tuple(word for word in words if word.lower() not in _turning())
+    return replace(answer, open_words=", ".join(words), turning_words=", ".join(sorted(signs)))
 
 
 def open_words(text: str, question: Question) -> tuple[str, ...]:
@@ -145,6 +149,7 @@ def open_words(text: str, question: Question) -> tuple[str, ...]:
     made = MADE_OF_IT.search(text)
     others = (
         *((made[made.lastgroup or 0].strip(),) if made else ()),
+        *(("by",) if BY.search(text) and not ASKED_BY.search(asked) else ()),
         *_other_names(text, question, asked),
         *_other_units(text, question, asked),
     )
@@ -268,7 +273,7 @@ def _harmless() -> frozenset[str]:
     lists = f"{TALK} {ABOUT} {PASSED_OVER} {RECKONED} {COUNTED}".lower().split()
     names = (word.lower() for each in GREEK_WORDS for word in (each, f"var{each}"))
     return frozenset({*HARMLESS, *lists, *SIGNS, *NUMBERS, *POWERS, *names, *function_words()}) - set(
-        OF_ANOTHER.split()
+        f"{OF_ANOTHER} {BODIES}".split()
     )
 
 
@@ -277,7 +282,7 @@ def _stem(word: str) -> str:
     return next(
         (
             word[: -len(end)]
-            for end in ("ing", "ed", "es", "en", "er", "s", "n", "e")
+            for end in ("ing", "ed", "es", "en", "s", "n", "e")
             if word.endswith(end) and len(word) > len(end) + 3
         ),
         word,
