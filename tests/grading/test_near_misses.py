@@ -68,7 +68,7 @@ def near(code: str, part: str, answer: Any) -> NearMiss | None:
         ("X12.1", "b", "2*M*v/M+m", BRACKET, "2*M*v/(M + m)"),
         ("E12.5.1", "a", "sqrt(2*g*h)*(mA+mB/mA", BRACKET, "sqrt(2*g*h)*(mA + mB)/mA"),
         ("S12.5el", "e", ["4 m/s", "0"], ORDER, "(0, 4) m/s"),
-        ("X12.2", "a", "I believe it is answer (b)", "one option in words that were not read", "(B)"),
+        ("X12.2", "a", "I would go for answer (b)", "one option in words that were not read", "(B)"),
     ],
 )
 def test_an_answer_that_another_reading_makes_right_is_found(code, part, answer, kind, read):

@@ -8,7 +8,6 @@ from typing import final
 from corollary.answers.answer import Answer, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.numbers import scalar
-from corollary.answers.open_words import with_open_words
 from corollary.answers.question import Question
 from corollary.formula.value import Text, Value
 from corollary.messages import catalogue
@@ -31,14 +30,14 @@ class CountType(AnswerType):
         return f"{question.name} = None   # " + _("a whole number (8)")
 
     def read(self, value: Value, question: Question) -> Answer:
-        found = with_open_words(scalar(value, question), value, question)
+        found = scalar(value, question)
         if (
             isinstance(found, Unclear)
             and isinstance(value, Text)
             and (noun := WITH_NOUN.fullmatch(value.text))
         ):
             bare = scalar(Text(noun["count"]), question)
-            return found if isinstance(bare, Unclear) else with_open_words(bare, value, question)
+            return found if isinstance(bare, Unclear) else bare
         return found
 
 
