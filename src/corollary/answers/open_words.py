@@ -103,11 +103,11 @@ MADE_OF_IT = re.compile(
     r"|\bis (?P<made>(?:its|the) (?:square|root|inverse|half|double)|twice|half|double)\b",
     re.IGNORECASE,
 )
-# `cooled by 45 °C`: a change, where none is asked for.
 OF_SEVERAL = re.compile(
     r"\b(?:sum|mean|average|difference|product|ratio|larger|smaller|mittelwert|summe) (?:of|von|av)\b",
     re.IGNORECASE,
 )
+# `cooled by 45 °C`: a change, where none is asked for.
 BY = re.compile(r"(?<!given )\b(?:by|um)\s+(?=[-+−]?[0-9])", re.IGNORECASE)
 ASKED_BY = re.compile(r"\b(?:by|um|much|far|chang\w*|factor|wie viel|hvor mye)\b", re.IGNORECASE)
 COMPARED = re.compile(
@@ -179,7 +179,7 @@ def open_words(text: str, question: Question) -> tuple[str, ...]:
     named = [
         (word, word.lower())
         for word in dict.fromkeys(WORD.findall(text))
-        if word not in question.symbol_names and not _is_unit(word, text, question.unit)
+        if word not in question.symbol_names
     ]
     others += tuple(_other_quantities([small for _, small in named], own, question, text))
     if _is_pure(question):  # which of two is the larger one, the words beside a ratio say
@@ -207,7 +207,10 @@ def open_words(text: str, question: Question) -> tuple[str, ...]:
     found = (
         word
         for word, small in named
-        if small not in accepted and _stem(small) not in own and not set(word) <= letters
+        if small not in accepted
+        and _stem(small) not in own
+        and not set(word) <= letters
+        and not _is_unit(word, text, question.unit)
     )
     return tuple(dict.fromkeys((*others, *found)))
 
