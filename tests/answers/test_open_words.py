@@ -60,7 +60,7 @@ def test_words_of_the_question_and_harmless_ones_are_passed_over(text: str, ques
         ("250 m/s relative to the target", SPEED), ("Δv = 250 m/s", SPEED), ("slowed by 250 m/s", SPEED), ("1.77 kg of oxygen", MASS),
         ("3.09 rad/s", TURNS), ("2 rad", RATIO), ("the impulse of the sticky ball is 2 times that of the elastic one", RATIO),
         ("45.1 °C cooler", TEMPERATURE), ("cooled down by 45.1 °C", TEMPERATURE), ("ΔT = 45.1 °C", TEMPERATURE),
-        ("t^2 = 0.359 s, 2.09 s", TIMES), ("the mean of 0.359 s and 2.09 s", TIMES), ("outside -5.2 cm to 5.2 cm", RANGE),
+        ("t^2 = 0.359 s, 2.09 s", TIMES), ("the mean of 0.359 s and 2.09 s", TIMES), ("at 0.359 s, and 2.09 s after that", TIMES), ("outside -5.2 cm to 5.2 cm", RANGE),
     ],
 )  # fmt: skip
 def test_any_other_word_is_left_to_a_person(text: str, question: Question):

@@ -41,13 +41,13 @@ PASSED_OVER: str = (
     "there all only just also very because which whose who what you your they them their here now again once since both own full top side about exactly nothing "
     "therefore hence per pro approx delta direction way sign factor number solution component components motion along other off into head vertical horizontal "
     "angular root vector magnitude big great large long cubic system end ends whole experiences exerts exerted become becomes till each bounces bounce rebounds slide slides "
-    "recoil recoils slowing further cools warms converted pointing directed stopped stationary significant figures matrix roll rolls taking taken "
+    "recoil recoils slowing further cools warms converted pointing directed stopped stationary significant figures coefficient matrix roll rolls taking taken "
     "horizontally vertically waagerecht senkrecht arc arcus sinus cosinus tangens doesn isn "
     "hat haben hatte hatten muss müssen kann geht gehen kommt fliegt fällt dauert braucht bewegt folgt gilt sie sein seine ihre nur auch daher und von bis "
     "damit also weil richtung faktor verhältnis anteil doppelt mal groß viel hoch weit rechter winkel nichts "
-    "genau bei ich mich sich weicht gerundet endtemperatur mischungstemperatur bleibt stehen steht ruht ruhe rollt prallt springt komponente achse fahrtrichtung gegen "
+    "genau bei ich mich sich weicht gerundet endtemperatur mischungstemperatur bleibt stehen steht ruht ruhe rollt prallt springt auf zum zur zusammen wirkt wirken liegt liegen drückt wirkungsgrad komponente achse fahrtrichtung gegen "
     "har hadde må kan går gikk kommer flyr faller tar varer trenger beveger blir sin sitt bare også fordi derfor retning retningen forhold andel stor mye høy og fra til "
-    "altså nøyaktig jeg meg seg bevege avrundet sluttemperatur stopper ligger får står stille spretter ruller komponent aksen fartsretningen kjøreretningen "
+    "altså nøyaktig jeg meg seg bevege avrundet sluttemperatur vinkelfarten virkningsgraden stort sammen stopper ligger får står stille spretter ruller komponent aksen fartsretningen kjøreretningen "
     "mot against towards toward away"
 )
 # What may be a sign: of them and of open words a person reads where the number would be right with the other one.
@@ -103,8 +103,9 @@ MADE_OF_IT = re.compile(
     r"|\bis (?P<made>(?:its|the) (?:square|root|inverse|half|double)|twice|half|double)\b",
     re.IGNORECASE,
 )
+# `2 s, and 5 s after that`
 OF_SEVERAL = re.compile(
-    r"\b(?:sum|mean|average|difference|product|ratio|larger|smaller|mittelwert|summe) (?:of|von|av)\b",
+    r"\b(?:sum|mean|average|difference|product|ratio|larger|smaller|mittelwert|summe) (?:of|von|av)\b|\b(?:after that|later|danach|später|senere)\b",
     re.IGNORECASE,
 )
 # `cooled by 45 °C`: a change, where none is asked for.
