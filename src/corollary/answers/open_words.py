@@ -45,9 +45,11 @@ PASSED_OVER: str = (
     "horizontally vertically waagerecht senkrecht arc arcus sinus cosinus tangens doesn isn "
     "hat haben hatte hatten muss müssen kann geht gehen kommt fliegt fällt dauert braucht bewegt folgt gilt sie sein seine ihre nur auch daher und von bis "
     "damit also weil richtung faktor verhältnis anteil doppelt mal groß viel hoch weit rechter winkel nichts "
-    "genau bei ich mich sich weicht gerundet endtemperatur mischungstemperatur bleibt stehen steht ruht ruhe rollt prallt springt auf zum zur zusammen wirkt wirken liegt liegen drückt wirkungsgrad komponente achse fahrtrichtung gegen "
+    "genau bei ich mich sich weicht gerundet endtemperatur mischungstemperatur bleibt stehen steht ruht ruhe rollt prallt springt "
+    "auf zum zur zusammen wirkt wirken liegt liegen drückt wirkungsgrad komponente achse fahrtrichtung gegen "
     "har hadde må kan går gikk kommer flyr faller tar varer trenger beveger blir sin sitt bare også fordi derfor retning retningen forhold andel stor mye høy og fra til "
-    "altså nøyaktig jeg meg seg bevege avrundet sluttemperatur vinkelfarten virkningsgraden stort sammen stopper ligger får står stille spretter ruller komponent aksen fartsretningen kjøreretningen "
+    "altså nøyaktig jeg meg seg bevege avrundet sluttemperatur vinkelfarten virkningsgraden stort sammen stopper ligger får står stille spretter ruller komponent aksen "
+    "fartsretningen kjøreretningen "
     "mot against towards toward away"
 )
 # What may be a sign: of them and of open words a person reads where the number would be right with the other one.
