@@ -81,6 +81,7 @@ def mark(code: str, part: str, typed: str) -> str:
         ("X12.3", "b", "Energieverlust von 480 kJ", "unmarked"),
         ("X12.3", "b", "sinkt um 480 kJ", "unmarked"),
         ("X12.6", "a", "a braking force of 100 kN", "unmarked"),
+        ("X12.6", "a", "gegen die Fahrtrichtung: 100 kN", "unmarked"),
         ("X12.5", "c", "the dummy feels 43 N", "mistaken"),
         ("X12.5", "c", "the mean force is 86 N", "right"),
     ],

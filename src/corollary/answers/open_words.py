@@ -56,7 +56,7 @@ PASSED_OVER: str = (
 TURNING_WORDS: str = (
     "fall falls fell falling sink sinks sank drop drops dropped down back backward backwards back return returns returned takes away heat negative opposite "
     "lost loss loses losing lose decrease decreases decreased gain gains gained increase increases increased rise rises dissipated reduced brakes "
-    "verlust verliert verloren sinkt abnahme zurück negativ tap tapt taper mister synker avtar tilbake mot against towards toward left right "
+    "verlust verliert verloren sinkt abnahme zurück negativ tap tapt taper mister synker avtar tilbake mot gegen entgegen against towards toward left right "
     "less weniger mindre weaker than"
 )
 # Words of arithmetic that a number is read with; any other word that changes a number takes it back.

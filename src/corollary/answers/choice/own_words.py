@@ -157,7 +157,7 @@ def _worded(typed: list[str], known: Mapping[str, list[str]], repeated: set[str]
     if len(option) > LONG and set(option) - set(typed) and len(set(met)) > len(set(option)) / 2:
         return Worded(letter, sure=False)  # an option copied but for a word
     others = {word for word in typed if word not in everywhere}
-    if others & repeated and set(option) - set(typed) - shared:
+    if others & repeated and set(option) - set(typed):
         return Worded(letter, sure=False)  # `further from the screen` for *further from the slide*
     in_order = [word for word in dict.fromkeys(option) if word in met] == list(dict.fromkeys(met))
     in_order = in_order or (len(set(met)) < 3 and "than" not in option)
