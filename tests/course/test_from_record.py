@@ -47,7 +47,7 @@ def course(handed_in: Path) -> Course:
     for student, when in WHEN.items():
         (handed_in / "submitted" / student / "one" / "timestamp.txt").write_text(when)
     paper = handed_in / "submitted/ben/one/one.ipynb"
-    paper.write_text(paper.read_text().replace("X12_5_a = ", "X12_5_a = 7 + 0 *"))
+    paper.write_text(paper.read_text().replace("X12_5_a = ", "X12_5_a = 7777 + 0 *"))
     opened = open_course(handed_in)
     found = marked(opened, begin=lambda: None)
     assert {one: each.points for one, each in found.records.items()} == {"ada": 5.0, "ben": 4.0, "cyd": 4.0}

@@ -122,6 +122,9 @@ def in_words(answer: Answer) -> str:
             remark = (
                 f": {answer.misfit}" if answer.misfit else f", {answer.missing}" if answer.missing else ""
             )
+            if answer.open_words and not remark:
+                own = f"\u201c{answer.open_words}\u201d"
+                return f"read as {as_read}; a person will read what {own} says of it; write the number and its unit alone"
             same = figures[0] if len(set(figures)) == 1 else 0
             count = f" ({same} figure{'s' if same > 1 else ''})" if same else ""
             return f"read as {as_read}{remark}" if remark else f"read as {as_read}{count}"
