@@ -370,7 +370,7 @@ def _is_contrary(words: str, question: Question) -> bool:
     named = re.search(r"\b[B-HJ-Z]\b|\bA\b(?! )|axis|-achse|-akse", words)
     if directed(question) and (OF_A_SIGN.search(words) or re.search("oppos|contrar", words, re.IGNORECASE)):
         return True
-    share = question.unit.dimension == ONE and not question.unit.is_angle
+    share = question.unit.is_pure
     return share or named is not None or bool(spoken & SIGNS.keys()) or bool((spoken & CONTRARY) - known)
 
 

@@ -140,7 +140,7 @@ def with_open_words(answer: Answer, value: Value, question: Question) -> Answer:
     if isinstance(answer, Numbers) and not all(answer.values):  # of nothing, no word makes anything else
         words = tuple(word for word in words if any(answer.values) and word.lower() not in NEGATIONS.split())
     signs = words_of(text) & _turning()
-    if axes_of(text, question.components).words:
+    if signs and axes_of(text, question.components).words:
         signs = set[str]()
     if LEFT_OVER.search(text):
         signs -= {"left"}
@@ -185,7 +185,7 @@ def open_words(text: str, question: Question) -> tuple[str, ...]:
         if word not in question.symbol_names
     ]
     others += tuple(_other_quantities([small for _, small in named], own, question, text))
-    if _is_pure(question):  # which of two is the larger one, the words beside a ratio say
+    if question.unit.is_pure:  # which of two is the larger one, the words beside a ratio say
         own = {_stem(word) for word in words_of(" ".join((question.title, *question.components)))}
         own |= _compared(text, asked)
         accepted = _harmless() | {*MULTIPLES.split(), *(word for each in RATIOS for word in each.split())}
@@ -279,7 +279,7 @@ def _other_names(text: str, question: Question, asked: str) -> tuple[str, ...]:
 
 def _other_units(text: str, question: Question, asked: str) -> tuple[str, ...]:
     """Radians beside a plain number; radians a second where turns are asked for, and hertz where angles are."""
-    if _is_pure(question):
+    if question.unit.is_pure:
         return tuple(re.findall(r"(?<=\d)\s?(?:rad|°|deg)\b", text)[:1])
     if question.unit.dimension != PER_SECOND.dimension or "rad" in question.unit.text:
         return ()
@@ -287,10 +287,6 @@ def _other_units(text: str, question: Question, asked: str) -> tuple[str, ...]:
         return tuple(re.findall(r"\bHz\b", text)[:1])
     turns = re.search(r"\b(?:turn|revol|frequen|umdreh|omdr)", asked, re.IGNORECASE)
     return tuple(re.findall(r"\brad(?=\s?(?:/|s\b|per))", text)[:1]) if turns else ()
-
-
-def _is_pure(question: Question) -> bool:
-    return question.unit.dimension == ONE and not question.unit.is_angle
 
 
 @cache

@@ -12,7 +12,7 @@ from corollary.answers.preamble import HALF_OF_A_NAME, OF_A_SIGN
 from corollary.answers.question import Question
 from corollary.answers.sign_words import SIGNS
 from corollary.answers.unit_meant import unit_meant
-from corollary.units.unit import ONE, Unit, read_unit
+from corollary.units.unit import Unit, read_unit
 
 LONGEST, MOST_WORDS = 200, 30
 NUMBER = re.compile(
@@ -90,8 +90,7 @@ def by_names(sentence: QuantitySentence, names: Sequence[str]) -> tuple[str, ...
 def _needs_no_unit(rest: str, expected: Unit) -> bool:
     """True where a plain number is asked for, and the word behind one is no unit of something else."""
     word = re.match(r"\s*([^\W\d_%°]+)", rest)
-    pure = expected.dimension == ONE and not expected.is_angle
-    return pure and (word is None or not isinstance(read_unit(word[1]), Unit))
+    return expected.is_pure and (word is None or not isinstance(read_unit(word[1]), Unit))
 
 
 def _unit_behind(rest: str, expected: Unit) -> int:

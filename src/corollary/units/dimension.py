@@ -83,6 +83,11 @@ class Unit:
         """True for degrees, radians and their kin."""
         return self.dimension == ONE and self.angle == 1
 
+    @property
+    def is_pure(self) -> bool:
+        """True for plain numbers: ratios, counts and shares, and no angles."""
+        return self.dimension == ONE and not self.is_angle
+
     def measures(self, other: Unit) -> bool:
         """True if quantities in this unit are of the kind of those in the other. Radians may be left out, and stand in a product
         that has others (`rad^2 m/s^2`); a squared angle is no angle and no plain number."""
