@@ -6,7 +6,8 @@ import pytest
 
 from corollary.answers.components import pieces_of
 from corollary.answers.polar import length_and_angle
-from corollary.answers.quantity import in_si, read_quantities
+from corollary.answers.quantity import in_si
+from corollary.answers.vector_quantity import read_quantities
 from corollary.formula.errors import ParseError
 from corollary.units.unit import unit
 

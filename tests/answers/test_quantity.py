@@ -11,7 +11,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from corollary.answers.quantity import Reading, components_in, in_si, read_quantities, read_quantity
+from corollary.answers.quantity import Reading, in_si, read_quantity
+from corollary.answers.vector_quantity import components_in, read_quantities
 from corollary.formula.errors import ParseError
 from corollary.units.unit import Unit, read_unit, show, unit
 

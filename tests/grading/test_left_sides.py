@@ -365,3 +365,37 @@ def test_what_takes_back_compares_or_has_two_signs_is_asked(key, code, part, tex
 )
 def test_and_what_does_not_is_right(key, code, part, text):
     assert isinstance(judge(key(code), {part: from_json(text)})[part][0][0], Right)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["F = m*v/dt = 86 N", "F = m v/dt = 86 N", "F = Δp/dt = 8.6/0.1 = 86 N", "F = 0.43 kg * 20 m/s / 0.1 s = 86 N", "F = 0.43*20/0.1 = 86 N",
+     "F = J/dt = 86 N", "F = p/t = 8.6/0.1 = 86 N", "F_av = dp/dt = (8.6 - 0)/0.1 = 86.0 N", "F = (8.6-0) kg m/s / 0.1 s = 86 N",
+     "F·dt = Δp, so F = 86 N", "Δp = 8.6 kg m/s, so F = 8.6/0.1 = 86 N", "F = m*a = 0.43*200 = 86 N", "a = 20/0.1 = 200, F = ma = 0.43*200 = 86 N",
+     "F = 86.0 N = 0.086 kN", "F = 0.086 kN = 86 N", "F = ma = 86 N", "F = 8.6 Ns / 0.1 s = 86 N", "F = 8.6/(0.1) = 86 N",
+     "F= 430 g * 20 m/s / 100 ms = 86 N", "F = m(v - 0)/dt = 86 N", "F = m*(v-0)/Δt = 86 N", "F=\\frac{m v}{\\Delta t} = 86 N", "F = 8,6/0,1 = 86 N",
+     "F = 2*43 = 86 N"],
+)  # fmt: skip
+def test_a_chain_whose_sides_agree_is_its_last_side(verdicts, text):
+    assert isinstance(verdicts("X12.5", c=text)["c"], Right)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["F = -m*v/dt = 86 N", "F = 86 J = 86 N", "F = 8.6/0 = 86 N", "F = 100 N; so F = 86 N", "F = 8.6 - 94.6 = 86 N", "F = 2*m*v/dt = 86 N",
+     "F = 8.6 kg m/s = 86 N", "F = 8600 N = 86 N", "F = 0 - 172 N = 86 N", "F = -86 N = 86 N", "F = m*v = 86 N", "-86 N = 86 N", "F = 86 kg = 86 N",
+     "F = 172/0.1 = 86 N", "F = 43 = 86 N", "F = 172 N, hence F = 86 N", "F = 172 N. Therefore F = 86 N", "F = 1/0 = 86 N", "F = sqrt(-1) = 86 N",
+     "F = ln(0) = 86 N", "F = 0/0 = 86 N", "F = 2*m*v/dt = m*v/dt = 86 N", "F = 172 N, i.e. F = 86 N", "F = 172 N -> F = 86 N",
+     "F = 172 N\nF = 86 N", "F = 172 → 86 N"],
+)  # fmt: skip
+def test_a_chain_whose_sides_disagree_earns_nothing_unasked(verdicts, text):
+    assert not isinstance(verdicts("X12.5", c=text)["c"], Right | Wrong)
+
+
+@pytest.mark.parametrize(
+    ("text", "read"),
+    [("T = 290.45 K = 17.3 °C", True), ("T = 290.45 K - 273.15 K = 17.3 °C", True), ("T = 290.45 - 273.15 = 17.3 °C", True),
+     ("T = 300 K = 17.3 °C", False), ("T = 300 - 273.15 = 17.3 °C", False)],
+)  # fmt: skip
+def test_two_temperatures_agree_in_degrees_and_not_in_shares_of_the_absolute_one(text, read):
+    assert (quantity(text, "°C")["status"] == "ok") is read

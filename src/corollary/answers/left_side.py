@@ -12,7 +12,7 @@ from functools import cache
 from corollary.answers.name import CUSTOMARY, SYMBOL, apart, is_name, is_talk, keyboard
 from corollary.answers.question import Question
 from corollary.formula.abbreviations import function_words
-from corollary.formula.ast import Call, Expr, Number, Power, Product, Quotient
+from corollary.formula.ast import Call, Expr, Number, Power, Product, Quotient, walk
 from corollary.formula.ast import names as letters_of
 from corollary.formula.errors import ParseError
 from corollary.formula.symbols import GREEK
@@ -257,6 +257,25 @@ def as_formula(found: Solved, tree: Expr) -> Expr:
 def turns(found: Solved | None) -> bool:
     """True for the sine, cosine or tangent of one letter."""
     return found is not None and found.function in ("sin", "cos", "tan")
+
+
+def is_calculation(side: str) -> bool:
+    """True for a side of numbers, operators and functions alone: `8.6/0`, `sqrt(-1)`."""
+    return re.search(r"\d", side) is not None and all(
+        word in function_words() for word in re.findall(r"[^\W\d_]+", side)
+    )
+
+
+def measures_otherwise(side: str, expected: Dimension, question: Question | None) -> bool:
+    """True for a formula of the givens alone that measures something else than is asked for, as `m*v` for a force."""
+    givens = question.dimensions if question is not None else {}
+    tree = parse(side, givens) if givens else None
+    if tree is None or isinstance(tree, ParseError) or not letters_of(tree) - {"pi"}:
+        return False
+    if any(isinstance(node, Number) and node.value.numerator > 4 for node in walk(tree)):
+        return False  # `v^2/20` of metres: a number may stand for a quantity
+    found = dimension_of(tree, givens)
+    return not isinstance(found, ParseError) and found != expected
 
 
 def has_letters(side: str, expected: Unit | None, question: Question | None) -> bool:

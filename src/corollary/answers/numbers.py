@@ -7,6 +7,7 @@ import re
 from dataclasses import replace
 
 from corollary.answers.answer import Blank, Formulas, Numbers, Unclear
+from corollary.answers.doubts import TABLE
 from corollary.answers.formula import (
     EQUALS,
     as_typed,
@@ -17,7 +18,7 @@ from corollary.answers.formula import (
     other_dimension,
 )
 from corollary.answers.machine_number import exact, machine, sure
-from corollary.answers.quantity import TABLE, Reading, read_quantity
+from corollary.answers.quantity import Reading, read_quantity
 from corollary.answers.question import Question
 from corollary.answers.unit_meant import STANDARD_GRAVITY
 from corollary.formula.abbreviations import function_words

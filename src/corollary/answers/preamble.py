@@ -74,7 +74,7 @@ CONCLUSION = re.compile(
     re.IGNORECASE,
 )
 WORK = re.compile(
-    rf"(?P<work>[^?]*[=≈][^?]*?)\s*(?:[,;.]\s|→|⇒|⟹|=>|-{{1,2}}>)\s*(?:(?:and|{SO})\s+)*(?P<name>{NAME})\s*[=≈]\s*[-+]?[0-9.,√(][^=,;]*"
+    rf"(?P<work>[^?]*[=≈][^?]*?)\s*(?:[,;.]\s|→|⇒|⟹|=>|-{{1,2}}>)\s*(?:(?:and|{SO})\s+)*(?P<name>{NAME})\s*[=≈]\s*(?:[^=≈,;?]{{1,40}}[=≈]\s*){{0,3}}[-+]?[0-9.,√(][^=,;]*"
 )
 CONCLUDED = re.compile(
     rf"[^=?]*[^\W\d_]{{2}}[^=?]*[,;.]\s*(?:and\s+)?(?:{SO})\s+(?=(?:{NAME})\s*[=≈])",
@@ -112,7 +112,7 @@ ENDING = re.compile(
 CALL = re.compile(r"<[^<>=]{1,12}>|\([^()]*\)")  # `<F>`, `F(y = 0.6 m)`
 SIDES = re.compile(r"[=≈]+\s*|\s~\s+")
 NO_SIDE = re.compile(  # in `3 m/s with g = 9.8` what stands behind the last sign is not the answer
-    r"[,;]\s|[?<>≤≥≠:]|\b(?:with|using|where|for|if|when|and|or|taking|as|at|because|since|but|not|mit|med|avec)\b",
+    r"[,;]\s|[?<>≤≥≠:]|[0-9][^=.]{0,8}\.\s+(?=[^\W\d_])|\b(?:with|using|where|for|if|when|and|or|taking|as|at|because|since|but|not|mit|med|avec)\b",
     re.IGNORECASE,
 )
 GRAVITY = re.compile(
@@ -204,6 +204,8 @@ def _skipped(text: str, in_a_sentence: bool) -> tuple[int, list[str]]:
         return end, []
     for lead in LEADING:
         if (found := lead.match(text)) and found.end() < len(text):
+            if lead is CONCLUSION and _gives_it_twice(found[0], text[found.end() :]):
+                continue
             return found.end(), []
     for name in LEFT_NAMES:
         if (
@@ -267,6 +269,12 @@ def _names_a_value(work: str, name: str) -> bool:
         name in sides
         or re.fullmatch(rf"(?:{NAME})\s*[=≈]\s*[-+]?[0-9.,]+\s*[^=≈,;]*", work.strip()) is not None
     )
+
+
+def _gives_it_twice(work: str, conclusion: str) -> bool:
+    """True of `F = 100 N; so F = 86 N`, where what is concluded is a letter that has a number before."""
+    name = conclusion.partition("=")[0].strip()
+    return re.match(rf"\s*{re.escape(name)}\s*[=≈]\s*[-+]?[0-9.,]+\s*[^=≈,;*/+]*[,;.]\s", work) is not None
 
 
 def ways_before(text: str) -> WaysBefore | None:

@@ -11,8 +11,7 @@ from typing import Literal
 
 from corollary.answers import trace
 from corollary.answers.arithmetic_answer import worked_out
-from corollary.answers.components import are_axes, in_one_line, pieces_of, unread_side, without_preamble
-from corollary.answers.doubts import TABLE, doubtful
+from corollary.answers.doubts import doubtful
 from corollary.answers.left_side import (
     RATIO,
     Solved,
@@ -20,6 +19,8 @@ from corollary.answers.left_side import (
     gives_what_is_asked,
     has_letters,
     is_another_given,
+    is_calculation,
+    measures_otherwise,
     named,
     solvable,
     solved_value,
@@ -27,10 +28,9 @@ from corollary.answers.left_side import (
     turns,
     unknown_letter,
 )
-from corollary.answers.motion_words import motion_in_number, motion_in_numbers
+from corollary.answers.motion_words import motion_in_number
 from corollary.answers.name import SYMBOL, another_body, is_name, is_talk
 from corollary.answers.number_words import clock_in_units, in_digits
-from corollary.answers.polar import length_and_angle
 from corollary.answers.preamble import UNCHANGING, answer_in
 from corollary.answers.question import Question
 from corollary.answers.sign_words import SIGNS
@@ -39,7 +39,7 @@ from corollary.answers.tolerance import same_value
 from corollary.answers.unit_meant import unit_meant
 from corollary.formula.ast import Expr
 from corollary.formula.by_hand import by_hand
-from corollary.formula.errors import ParseError, ambiguous, refused
+from corollary.formula.errors import ParseError, refused
 from corollary.formula.numerals import LONGEST, TO_ASCII, Written, decimal_text, scan_number
 from corollary.messages import catalogue, in_convention
 from corollary.units.unit import ONE, PURE, UNITS, Dimension, Unit, kind, read_unit, show
@@ -47,6 +47,7 @@ from corollary.units.unit import ONE, PURE, UNITS, Dimension, Unit, kind, read_u
 _ = catalogue(__name__)
 
 MOST_SIDES = 5
+DEGREES_APART = 0.3  # kelvins between two sides, each rounded: 273 or 273.15 may have been added
 RESIDUE = 1e-12  # in the unit typed: what a calculation leaves where the other side is 0
 ROUND = str.maketrans("[]{}", "()()")
 TWICE = re.compile(
@@ -56,9 +57,6 @@ TWICE = re.compile(
 CHARGE, CHARGED = Dimension.of("A s"), re.compile(r"(?<![A-Za-z])(?:[pnumk]?C|e|[mkMGT]?eV)(?![A-Za-z])")
 EULER = re.compile(
     r"(?<![A-Za-z_.])e(?![A-Za-z0-9_+])(?!-[0-9])|(?<![A-Za-z_.0-9])e(?=\s*(?:\^|\*\*|[⁻⁰¹²³⁴-⁹]))"
-)
-BOTH_SIGNS = re.compile(
-    r"\s*\(?(?P<middle>[-+]?[0-9.,]+)\s*(?P<own>[°%A-Za-zµ][^±]*?)?\s*(?:±|\+/-|\+-)\s*(?P<half>[0-9.,]+)\)?\s*(?P<unit>[°%A-Za-zµ].*?)?\s*"
 )
 TWO_ANSWERS = re.compile(r"\d\D*\s(?:or|oder|eller|ou)\s\D*\d", re.IGNORECASE)
 # `86 N = F`
@@ -119,13 +117,13 @@ def read_quantity(text: str, expected: Unit | None, question: Question | None = 
     )
     rewritten = text != typed
     if (doubt := doubtful(typed, normalized)) is not None:
-        return _placed(doubt, skipped, rewritten=rewritten)
+        return placed(doubt, skipped, rewritten=rewritten)
     normalized, spread = _split_uncertainty(normalized)
     found = _parse(text, normalized, expected)
     if isinstance(found, ParseError):
         if found.status == "refused" and TWO_ANSWERS.search(typed):
             return refused(_("these are two answers"), None, _("write the one that you mean"))
-        return _placed(found, skipped, rewritten=rewritten)
+        return placed(found, skipped, rewritten=rewritten)
     if sides:
         with trace.silent():
             beside = _beside_sides(sides, found, expected, question)
@@ -220,11 +218,15 @@ def _beside_sides(
     ]
     unread: list[str] = []
     for side in open_sides:
-        value = _number_and_unit(side, side, expected)
-        if isinstance(value, ParseError):
-            value = _worked(side, SHARE_OF.sub(r"\1*", side), expected)
+        value = _side_value(side, expected)
+        if isinstance(value, ParseError) and is_calculation(side):
+            return value.without_place()  # `8.6/0 = 86 N`
         if isinstance(value, ParseError) or (
-            value.fit == "wrong dimension" and has_letters(side, expected, question)
+            value.fit == "wrong dimension"
+            and not (
+                value.figures > 1 and len(sides) > 1
+            )  # in `F = 2 T = 86 N` a letter; not in `F = 86 J = 86 N`
+            and has_letters(side, expected, question)
         ):
             unread.append(side)
         elif not _agree(value, last):
@@ -237,8 +239,12 @@ def _beside_sides(
     if other := next((side for side in sides if another_body(side, question)), ""):
         why = _("{letter} is not what is asked for", letter=other.strip())
         return ParseError("asked", why, None, _("write the answer without it"))
+    if other := next((side for side in unread if measures_otherwise(side, wanted.dimension, question)), ""):
+        why = _("{formula} does not have the unit {wanted}", formula=other, wanted=show(wanted) or "1")
+        return ParseError("asked", why, None, _("write the answer alone"))
     if named(sides, question) or not unread:
-        return ()
+        found = (gives_what_is_asked(side, wanted.dimension, question) for side in unread)
+        return tuple(each for each in found if not isinstance(each, bool))
     if wanted.is_angle and (turned := next((side for side in unread if turns(solvable(side, question))), "")):
         return _asked_about(turned, last, wanted, question)
     if len(unread) == 1 and (over := turned_over(unread[0], wanted.dimension, question)) is not None:
@@ -281,8 +287,23 @@ def _solved(side: str, found: Solved, last: Reading, wanted: Unit) -> ParseError
     return ParseError("asked", why, None, how, (choice,))
 
 
+def _side_value(side: str, expected: Unit | None) -> Reading | ParseError:
+    """A left side as a number with its unit, or as a calculation; `0 - 48000` is a difference there and no range."""
+    value = _number_and_unit(side, side, expected)
+    if isinstance(value, ParseError):
+        value = _worked(side, SHARE_OF.sub(r"\1*", side), expected)
+    if isinstance(value, ParseError) and value.status == "asked" and len(value.choices) == 1:
+        value = _worked(side, value.choices[0], expected)
+    return value
+
+
 def _agree(one: Reading, other: Reading) -> bool:
     """True if two sides are the same value; a bare number may stand for either unit, or for that of SI: `1 - 3/4 = 0.25 = 25 %`."""
+    if one.unit is not None and other.unit is not None and one.unit.dimension != other.unit.dimension:
+        # not `86 J = 86 N`, of two numbers that were typed, but `0.43 kg*20/0.1 = 86 N`
+        return not one.figures and same_value(float(one.value), float(other.value))
+    if any(each.unit is not None and each.unit.offset for each in (one, other)):
+        return _are_one_temperature(one, other)
     if same_value(in_si(one), in_si(other)) or _are_zero(one, other):
         return True
     missing = any(each.unit is None and each.fit == "unit missing" for each in (one, other))
@@ -290,6 +311,14 @@ def _agree(one: Reading, other: Reading) -> bool:
     return (missing and same_value(float(one.value), float(other.value))) or any(
         same_value(float(each.value), in_si(beside)) for each, beside in in_si_unit
     )
+
+
+def _are_one_temperature(one: Reading, other: Reading) -> bool:
+    """True if two sides are one temperature; the unit of a calculation may be left to the last side: `290.45 K - 273.15 K = 17.3 °C`."""
+    kelvins = in_si(other)
+    found = [in_si(one), *([float(one.value)] if one.unit is None else [])]
+    in_last_unit = not one.figures and abs(one.value - other.value) <= DEGREES_APART
+    return in_last_unit or any(abs(each - kelvins) <= DEGREES_APART for each in found)
 
 
 def _are_zero(one: Reading, other: Reading) -> bool:
@@ -359,7 +388,7 @@ def _in_several_units(text: str, normalized: str, expected: Unit | None) -> Read
         figures += max(read[0].figures, 1)
     value = sign * total / first.factor
     as_read = ("-" if sign < 0 else "") + " ".join(f"{number} {unit}" for number, unit in pieces)
-    read = _reading(text, Written(value, figures, figures), first, expected)
+    read = reading_of(text, Written(value, figures, figures), first, expected)
     return replace(read, as_read=as_read) if isinstance(read, Reading) else None
 
 
@@ -409,14 +438,14 @@ def _number_and_unit(text: str, normalized: str, expected: Unit | None) -> Readi
     number, end = found
     rest = normalized[end:].strip().rstrip(".")
     if not rest:
-        return _reading(text, number, None, expected)
+        return reading_of(text, number, None, expected)
     at = end + normalized[end:].index(rest[0])
     if rest[0] in "+-" or (rest[0] in "0123456789" and not re.match(r"1\s*/", rest)):
         return refused(_("one number is enough here"), at, _("work it out and write a number and a unit"))
     if rest == "*":
         return refused(_("something is missing behind this sign"), at, _("write one number and a unit"))
     unit = unit_meant(rest.removeprefix("*").strip(), expected)
-    return unit.moved(at) if isinstance(unit, ParseError) else _reading(text, number, unit, expected)
+    return unit.moved(at) if isinstance(unit, ParseError) else reading_of(text, number, unit, expected)
 
 
 def _of_charge(expected: Unit) -> bool:
@@ -437,7 +466,7 @@ def _worked(
         and ((expected.is_angle and not expected.bare) or (expected.text == "1" and found.unit is not None))
     )
     its_unit = UNITS["rad"] if in_radians else found.unit
-    return _reading(text, number, its_unit, expected, decimal_text(Fraction(f"{found.value:.6g}"), 0))
+    return reading_of(text, number, its_unit, expected, decimal_text(Fraction(f"{found.value:.6g}"), 0))
 
 
 def in_si(reading: Reading) -> float:
@@ -446,84 +475,12 @@ def in_si(reading: Reading) -> float:
     return float(ratio) * math.pi**pi
 
 
-def _placed(error: ParseError, skipped: int, *, rewritten: bool) -> ParseError:
+def placed(error: ParseError, skipped: int, *, rewritten: bool) -> ParseError:
     """The error at its place in what was typed, before which `skipped` characters were left out; at none in TeX rewritten."""
     return error.without_place() if rewritten else error.moved(skipped)
 
 
-def read_quantities(
-    text: str,
-    expected: Unit | None,
-    count: int,
-    names: Sequence[str] = (),
-    question: Question | None = None,
-) -> tuple[Reading, ...] | ParseError:
-    """A vector of `count` components: `(3, 4) m/s`, `[3; 4]`, `3 m/s; 4 m/s`, `3 i + 4 j`, in a plane `5 m/s at 30 deg`.
-
-    With `names`, components that the text names (`p_y = 4, p_x = 3`) are put in their order.
-    """
-    pieces = components_in(text, count, names, expected, question)
-    match pieces:
-        case ParseError():
-            return pieces
-        case tuple():
-            return _polar(*pieces, expected)
-        case list():
-            found: list[Reading] = []
-            for piece in pieces:
-                reading = read_quantity(piece, expected)
-                if isinstance(reading, ParseError):
-                    start = text.find(piece)
-                    return reading.moved(start) if start >= 0 else reading.without_place()
-                found.append(reading)
-            return _bare_beside_unit(found, expected) or tuple(found)
-
-
-def _bare_beside_unit(found: Sequence[Reading], expected: Unit | None) -> ParseError | None:
-    """What is asked about `894 mm, 1306` where metres are asked for: the number without a unit may be in either."""
-    units = {each.unit.text: each.unit for each in found if each.unit is not None}
-    bare = [each for each in found if each.unit is None and each.value]
-    if expected is None or not bare or len(units) != 1:
-        return None
-    (unit,) = units.values()
-    if unit.dimension != expected.dimension or unit.si == expected.si:
-        return None
-    choices = tuple(
-        f"({'; '.join(each.as_read if each.unit or not each.value else f'{each.as_read} {show(its_unit)}' for each in found)})"
-        for its_unit in (unit, expected)
-    )
-    why = _("{number} has no unit beside {other}", number=bare[0].as_read, other=show(unit))
-    return ambiguous(why, None, *choices)
-
-
-def components_in(
-    text: str,
-    count: int,
-    names: Sequence[str] = (),
-    expected: Unit | None = None,
-    question: Question | None = None,
-) -> list[str] | tuple[str, str] | ParseError:
-    """The texts of the components, or those of a length and an angle; where angles are expected, two are no such vector."""
-    if len(text) > LONGEST:
-        return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
-    if TABLE.search(text):
-        return refused(_("a table is not read here"), None, _("write the components as (3; 4) m/s"))
-    typed = motion_in_numbers(by_hand(in_one_line(text, count)))
-    normalized, skipped, sides = without_preamble(typed.translate(TO_ASCII))
-    if (doubt := unread_side(sides, names, question, normalized)) is not None:
-        return doubt
-    if count == 2 and (both := BOTH_SIGNS.fullmatch(normalized)) is not None:  # `150° ± 90°`
-        middle, half = both["middle"], both["half"]
-        unit = both["unit"] or both["own"] or ""
-        return [f"{middle} {both['own'] or unit} {sign} {half} {unit}" for sign in "-+"]
-    polar = None if expected is not None and expected.is_angle else length_and_angle(normalized)
-    if isinstance(polar, tuple) and not (count == 2 and are_axes(names)):
-        return refused(_("a length and an angle give a vector in a plane only"))
-    pieces = pieces_of(normalized, count, names, expected, question) if polar is None else polar
-    return _placed(pieces, skipped, rewritten=text != typed) if isinstance(pieces, ParseError) else pieces
-
-
-def _reading(
+def reading_of(
     text: str, number: Written, unit: Unit | None, expected: Unit | None, digits: str = ""
 ) -> Reading | ParseError:
     size = unit or expected or PURE
@@ -569,31 +526,3 @@ def _misfit(as_read: str, size: Unit, expected: Unit) -> str:
 
 def _space(unit: Unit | None) -> str:
     return "" if unit is None or unit.text == "deg" else " "
-
-
-def _polar(its_length: str, its_angle: str, expected: Unit | None) -> tuple[Reading, ...] | ParseError:
-    """A length and the angle above the first axis. The components are doubles: a student's own digits are fewer."""
-    length, angle = read_quantity(its_length, expected), read_quantity(its_angle, None)
-    if isinstance(length, ParseError):
-        return length
-    if isinstance(angle, ParseError):
-        return refused(_("the angle: {why}", why=angle.why), None, angle.suggestion)
-    if angle.unit is None or angle.unit.text not in ("deg", "rad", "mrad"):
-        return refused(_("the angle needs its unit"), None, _("write for example 5 m/s at 30 deg"))
-    ratio, pi = angle.si
-    right = (
-        {0: (1, 0), Fraction(1, 2): (0, 1), 1: (-1, 0), Fraction(3, 2): (0, -1)}.get(ratio % 2)
-        if pi
-        else None
-    )
-    turn = float(ratio % 2) * math.pi if pi else float(ratio)
-    shares = right or (math.cos(turn), math.sin(turn))
-    figures = max(3, min(length.figures, angle.figures))
-    found: list[Reading] = []
-    for share in shares:
-        number = Written(length.value * Fraction(share), figures, min(figures, length.least))
-        part = _reading(its_length, number, length.unit, expected)
-        if isinstance(part, ParseError):
-            return part
-        found.append(replace(part, polar=(length, angle)))
-    return tuple(found)

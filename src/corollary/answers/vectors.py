@@ -14,9 +14,10 @@ from corollary.answers.direction import DIRECTED, LONGEST, axis_named, beside_ax
 from corollary.answers.formula import as_typed
 from corollary.answers.left_side import gives, solvable, unknown_letter
 from corollary.answers.numbers import PLACEHOLDERS, from_reading, scalar, turned_away, with_share
-from corollary.answers.quantity import Reading, components_in, read_quantities, read_quantity
+from corollary.answers.quantity import Reading, read_quantity
 from corollary.answers.question import Question
 from corollary.answers.sentence import by_names, sentence_in
+from corollary.answers.vector_quantity import components_in, read_quantities
 from corollary.formula.ast import Expr, Number
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.numerals import decimal_text

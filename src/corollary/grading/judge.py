@@ -18,6 +18,7 @@ from corollary.answers.registry import BUILT_IN, answer_type, judging
 from corollary.answers.renamed_letters import in_letters
 from corollary.answers.tolerance import last_place, same_value
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict
+from corollary.formula.ast import Negative
 from corollary.formula.plain_text import text as formula_text
 from corollary.formula.value import Nothing, Value
 from corollary.grading.expectations import expected_of
@@ -213,8 +214,13 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
         case Numbers(values=(value,), beside=beside) if beside and expected.quantity is not None:
             for tree in beside:
                 found = values_of((tree,), expected.quantity.givens())
-                if found is not None and not same_value(
-                    value, found[0], max(expected.quantity.residue, default=0.0)
+                residue = max(expected.quantity.residue, default=0.0)
+                either_sign = not isinstance(
+                    tree, Negative
+                )  # `F = m*g = -2 N` counts upwards, `F = -m*v/dt = 86 N` does not
+                if found is not None and not (
+                    same_value(value, found[0], residue)
+                    or (either_sign and same_value(-value, found[0], residue))
                 ):
                     why = _(
                         "{formula} does not come to {answer}; write the answer alone",
