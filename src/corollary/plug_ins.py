@@ -10,6 +10,8 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+from corollary.version import DISTRIBUTION
+
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
 
@@ -29,7 +31,7 @@ def plug_ins(group: str, ours: tuple[str, ...] = ()) -> Mapping[str, EntryPoint]
     found: dict[str, EntryPoint] = {}
     for entry in entry_points(group=group):
         other = found.setdefault(entry.name, entry)
-        owners = ["corollary"] if entry.name in ours else [_package(other)] if other != entry else []
+        owners = [DISTRIBUTION] if entry.name in ours else [_package(other)] if other != entry else []
         if owners:
             raise PlugInFault(
                 f"{owners[0]} and {_package(entry)} are both installed and both bring {entry.name} ({group}); "

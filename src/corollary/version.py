@@ -1,3 +1,4 @@
-"""The version of this package."""
+"""The name of this distribution and its version."""
 
-__version__ = "0.1.0"
+DISTRIBUTION = "corollary-physics"  # what pip installs; `corollary` is the import and the command
+__version__ = "1.0.0"

@@ -50,6 +50,21 @@ def test_what_is_looked_at(course: Path):
     assert all(each["remedy"] for each in found.values() if each["state"] != "good")
 
 
+def test_another_package_with_files_in_our_module_is_named(course: Path, tmp_path: Path, monkeypatch):
+    """pip installs both side by side and says nothing; the module is then a mixture of the two."""
+    about = tmp_path / "elsewhere" / "corollary-0.1.0a4.dist-info"
+    about.mkdir(parents=True)
+    (about / "METADATA").write_text("Metadata-Version: 2.1\nName: corollary\nVersion: 0.1.0a4\n")
+    (about / "RECORD").write_text("corollary/__init__.py,,\n")
+    monkeypatch.syspath_prepend(str(about.parent))
+    status, found = doctor()
+    assert status == 1
+    assert "0.1.0a4" in found["namesake"]["sentence"]
+    assert found["namesake"]["remedy"].startswith("pip uninstall corollary,")
+    (about / "RECORD").write_text("something_else/__init__.py,,\n")
+    assert "namesake" not in doctor()[1]
+
+
 def test_for_people_each_finding_is_a_line_and_the_end_says_how_many_are_broken(course: Path):
     done = CliRunner().invoke(app, ["doctor"], catch_exceptions=False)
     assert done.exit_code == 0

@@ -79,7 +79,7 @@ def test_without_the_extra_one_sentence_says_what_to_install(run, monkeypatch) -
     assert run("small.md", "--to", "pdf") == (
         2,
         "",
-        "corollary: PDF needs the Python package typst; install it with: pip install segno typst\n",
+        'corollary: PDF needs the Python package typst; install it with: pip install "corollary-physics[pdf]"\n',
     )
 
 

@@ -97,15 +97,17 @@ def test_advice_by_bare_name_is_found(advice: str):
 
 
 def test_nothing_advises_to_install_the_package_that_has_our_name():
-    """The name on PyPI belongs to another project: ours is installed from its folder, or a library by its own name."""
+    """The name `corollary` on PyPI belongs to another project: ours is `corollary-physics`."""
     others = [*(TOP / "examples").rglob("*.md"), *(TOP / "benchmarks").rglob("*.md"), *TOP.glob(".ci/*.py")]
     advised = [*texts(), *((path.name, path.read_text(encoding="utf-8")) for path in others)]
     assert not [(where, found[0]) for where, text in advised if (found := BY_BARE_NAME.search(text))]
 
 
 def test_no_bank_depends_on_the_package_that_has_our_name():
+    ours = tomllib.loads((TOP / "pyproject.toml").read_text(encoding="utf-8"))["project"]["name"]
     files = [*TOP.glob("examples/banks/*/pyproject.toml"), *TOP.glob("tests/plugin/*/pyproject.toml")]
     assert len(files) > 3
     for path in files:
         wanted = tomllib.loads(path.read_text(encoding="utf-8"))["project"]["dependencies"]
         assert not [each for each in wanted if re.match(r"corollary\b(?![\w-]|\s*@)", each)], path.parent.name
+        assert [each for each in wanted if re.match(rf"{ours}\b", each)], path.parent.name

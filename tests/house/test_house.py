@@ -17,7 +17,7 @@ from corollary.problem.bank import chapter_bank
 ORDER = (  # from the top; what stands in one line are siblings, which do not know each other
     "__main__", "cli", "api", "course", "nbgrader", "render", "records", "audit", "verify practice trade",
     "author misconceptions programs", "grading", "notebook derive", "answers",
-    "laws problem sandbox scenes", "units polynomials", "formula figure", "plug_ins", "user_cache", "messages atomic guard parallel version", "extras",
+    "laws problem sandbox scenes", "units polynomials", "formula figure", "plug_ins", "user_cache", "messages atomic guard parallel", "extras", "version",
 )  # fmt: skip
 FLOORS = {room: len(ORDER) - floor for floor, rooms in enumerate(ORDER) for room in rooms.split()}
 LONGEST, MEDIAN = 600, 150  # lines

@@ -9,7 +9,7 @@ import shutil
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import PackageNotFoundError, distribution, version
 from pathlib import Path
 
 from corollary import user_cache
@@ -23,8 +23,10 @@ from corollary.problem.diagnostic import Finding, Malformed
 from corollary.records.files import Course, NotACourse, at_work, open_course, students
 from corollary.records.origin import set_of
 from corollary.records.settings import FILE, Settings, read_settings
+from corollary.version import DISTRIBUTION, __version__
 
 FOR_OTHERS, TO_ENTER = 0o044, 0o011  # bits by which others read a file, and enter a folder
+NAMESAKE = "corollary"  # on PyPI: another project, whose module has our name
 WRITTEN_IN = ("", ".corollary", "submitted", "autograded", "feedback", "reports")
 
 
@@ -119,7 +121,15 @@ def findings(folder: Path | None) -> Iterator[Finding]:
 
 
 def _programs() -> Iterator[Finding]:
-    yield Finding("corollary", "good", version("corollary"))
+    yield Finding("corollary", "good", __version__)
+    if _overwritten():
+        yield Finding(
+            "namesake",
+            "broken",
+            f"another project's package {NAMESAKE} {_version(NAMESAKE)} is installed in this environment, too: "
+            "both have the module corollary, and the files of one replace those of the other",
+            f"pip uninstall {NAMESAKE}, then pip install --force-reinstall --no-deps {DISTRIBUTION}",
+        )
     old = sys.version_info < (3, 11)
     yield Finding(
         "Python",
@@ -150,6 +160,14 @@ def _programs() -> Iterator[Finding]:
         ", ".join(found) or "not installed: notebooks cannot be looked at here",
         "" if found else "pip install jupyterlab",
     )
+
+
+def _overwritten() -> bool:
+    """True if the other project's package has files in the folder `corollary`."""
+    try:
+        return any(path.parts[0] == "corollary" for path in distribution(NAMESAKE).files or ())
+    except PackageNotFoundError:
+        return False
 
 
 def _version(name: str) -> str:

@@ -131,5 +131,5 @@ def test_without_numba_it_says_what_to_install(monkeypatch):
         if module.endswith(both_ways.SUFFIX):
             monkeypatch.delitem(both_ways.sys.modules, module)
     line_collision.collide.cache_clear()
-    with pytest.raises(BadSetting, match="pip install numba"):
+    with pytest.raises(BadSetting, match=r'pip install "corollary-physics\[fast\]"'):
         run("cradle", {"N": 4.0, "q": 1.5})
