@@ -82,7 +82,7 @@ def test_every_option_that_a_page_names_is_there():
 
 
 BY_BARE_NAME = re.compile(
-    r"install\b[^`\n]*?(?<![\w./\\@-])corollary(?![\w./-])"  # pip install corollary; ./corollary is a folder
+    r"(?<!un)install\b[^`\n]*?(?<![\w./\\@-])corollary(?![\w./-])"  # pip install corollary; ./corollary is a folder
     r"|(?<![\w./\\-])corollary\["  # an extra of the bare name, whatever stands before it
 )
 
