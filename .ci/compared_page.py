@@ -127,6 +127,8 @@ def outcomes(found: list[dict[str, str]], others: tuple[str, ...]) -> Iterator[s
     counts = list[tuple[str, ...]]()
     for system in systems:
         established = [row[system] for row in right if row[system] not in ("not known", "no units")]
+        if not established:
+            continue
         of = str(len(established))
         counts.append(
             (
