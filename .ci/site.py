@@ -75,7 +75,7 @@ def on_page_markdown(markdown: str, page: Page, config: Any, files: Files) -> st
     """Links of docs/ to files outside of it, turned to where these stand here; and the reference, filled."""
     if page.file.abs_src_path is not None:
         markdown = _linked(markdown, Path(page.file.abs_src_path))
-    return markdown + "".join(_laws()) if page.file.src_uri == "reference.md" else markdown
+    return markdown + "".join(_laws()) if page.file.src_uri == "reference/python.md" else markdown
 
 
 def on_post_page(output: str, page: Page, config: Any) -> str:

@@ -42,7 +42,7 @@ def test_findings_are_those_recorded(name):
     assert found_in(FOLDER / name) == RECORDED[name]
 
 
-# One of each kind; every one is explained in docs/audit.md.
+# One of each kind; every one is explained in docs/results/audit_findings.md.
 SAMPLE = {
     "college_physics.yaml": ["2.53", "3.29", "6.16", "6.48", "10.20"],
     "question_library.yaml": ["273", "290", "291a"],

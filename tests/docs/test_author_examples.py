@@ -1,4 +1,4 @@
-"""Every block of the author's page is a problem, its solution or one of its programs, and each of these pairs verifies in a fresh bank."""
+"""Every problem and solution on the authors' pages: each pair, with its programs, verifies in a fresh bank."""
 
 from __future__ import annotations
 
@@ -12,7 +12,14 @@ from corollary.problem.bank import Bank
 from corollary.problem.reader import read_problem
 from corollary.verify.verify import verify
 
-PAGE = (Path(__file__).parents[2] / "docs" / "author.md").read_text(encoding="utf-8")
+DOCS = Path(__file__).parents[2] / "docs"
+FIRST = [
+    DOCS / "reference" / "problem_file.md",
+    DOCS / "reference" / "solution_file.md",
+]  # a pair on two pages
+OF_A_PAIR = re.compile(r"^```markdown\n---\ncode: |^def derive\(", re.MULTILINE)
+TEXTS = [path.read_text(encoding="utf-8") for path in dict.fromkeys([*FIRST, *sorted(DOCS.rglob("*.md"))])]
+PAGE = "\n".join(text for text in TEXTS if OF_A_PAIR.search(text))
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 ELSEWHERE = {"bash", "text"}  # in test_tutorial and test_figures
 PROGRAM = re.compile(r"# (\w+)/(\w+\.py)\n")

@@ -12,7 +12,7 @@ from corollary.formula.functions import FUNCTIONS
 from corollary.units.constants import CONSTANTS
 
 TOP = Path(__file__).parents[2]
-PAGE = (TOP / "docs" / "laws.md").read_text(encoding="utf-8")
+PAGE = (TOP / "docs" / "reference" / "laws.md").read_text(encoding="utf-8")
 
 
 def test_the_page_is_up_to_date():

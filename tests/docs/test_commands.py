@@ -30,7 +30,7 @@ def _found() -> Iterator[tuple[str, str]]:
         TOP / "README.md",
         TOP / "Makefile",
         TOP / "Dockerfile",
-        *sorted((TOP / "docs").glob("*.md")),
+        *sorted((TOP / "docs").rglob("*.md")),
     ]:
         yield path.name, path.read_text(encoding="utf-8")
     for path in sorted((TOP / "src").rglob("*.html")):
@@ -69,7 +69,7 @@ def test_what_stands_as_a_command_is_one(commands: dict[str, set[str]], program:
 
 def test_every_option_that_a_page_names_is_there():
     """`corollary grade SET --dry-run` on a page: `grade` has it."""
-    for path in [TOP / "README.md", *sorted((TOP / "docs").glob("*.md"))]:
+    for path in [TOP / "README.md", *sorted((TOP / "docs").rglob("*.md"))]:
         for name, rest in re.findall(
             r"(?:^|`|\$ )corollary ([a-z]+)([^`\n#]*)", path.read_text(encoding="utf-8"), re.MULTILINE
         ):

@@ -21,7 +21,11 @@ def test_the_page_is_up_to_date():
 def test_every_option_that_help_prints_is_there(command: str):
     asked = [sys.executable, "-m", "corollary", command, "--help"]
     printed = subprocess.run(asked, check=True, capture_output=True, text=True).stdout
-    section = (TOP / "docs" / "commands.md").read_text(encoding="utf-8").partition(f"\n## {command}\n")[2]
+    section = (
+        (TOP / "docs" / "reference" / "commands.md")
+        .read_text(encoding="utf-8")
+        .partition(f"\n## {command}\n")[2]
+    )
     section = section.partition("\n## ")[0]
     options = set(re.findall(r"--[a-z-]+", printed)) - {"--help"}
     assert options

@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 
 REPOSITORY = Path(__file__).parents[2]
-PAGE = (REPOSITORY / "docs" / "course_files.md").read_text(encoding="utf-8")
+PAGE = (REPOSITORY / "docs" / "reference" / "course_files.md").read_text(encoding="utf-8")
 
 
 def kinds_written() -> set[str]:

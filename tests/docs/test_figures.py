@@ -1,4 +1,4 @@
-"""Every kind of thing that a figure can hold stands in the authors' page, with an example that is drawn."""
+"""Every kind of thing that a figure can hold stands in the page of figures, with an example that is drawn."""
 
 from __future__ import annotations
 
@@ -13,10 +13,9 @@ from corollary.problem.figure import drawn
 from corollary.problem.reader import read_problem
 from corollary.problem.variant import chapter
 
-PAGE = (
-    (Path(__file__).parents[2] / "docs" / "author.md").read_text(encoding="utf-8").partition("## Figures")[2]
-)
-ROWS = dict(re.findall(r"^\| `(\w+)` \| (.*) \|$", PAGE.partition("\n## ")[0], re.MULTILINE))
+PAGE = (Path(__file__).parents[2] / "docs" / "reference" / "figures.md").read_text(encoding="utf-8")
+TABLE = PAGE.partition("| thing | example | takes |")[2]
+ROWS = dict(re.findall(r"^\| `(\w+)` \| (.*) \|$", TABLE, re.MULTILINE))
 FRONT = """\
 ---
 code: X1.1

@@ -1,4 +1,4 @@
-"""Every hole, list and choice of words that the authors' page shows is read and filled."""
+"""Every hole, list and choice of words that the page of the problem file shows is read and filled."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from corollary.problem.reader import read_problem
 from corollary.problem.statement import filled
 from corollary.problem.variant import at, size
 
-PAGE = (Path(__file__).parents[2] / "docs" / "author.md").read_text(encoding="utf-8")
-SECTION = PAGE.partition("- **Lists and words.**")[2].partition("\n- **For other teachers**")[0]
+PAGE = (Path(__file__).parents[2] / "docs" / "reference" / "problem_file.md").read_text(encoding="utf-8")
+SECTION = PAGE.partition("- **Lists and words.**")[2].partition("\n## Units")[0]
 
 
 def test_what_the_page_shows(tmp_path):

@@ -1,4 +1,4 @@
-"""Every Python block of docs/library.md is run, one after the other, and what stands behind `# →` is what comes out."""
+"""Every Python block of docs/tutorial/library.md is run, one after the other, and what stands behind `# →` is what comes out."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-PAGE = Path(__file__).parents[2] / "docs" / "library.md"
+PAGE = Path(__file__).parents[2] / "docs" / "tutorial" / "library.md"
 BLOCKS = re.findall(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
 SHOWN = re.compile(r"^(?P<code>.*?)\s+# → (?P<value>.*)$")
 

@@ -19,7 +19,7 @@ from corollary.derive.ready_scenes import film_of, run
 from corollary.problem.bank import Bank
 
 TOP = Path(__file__).parents[2]
-PAGE = (TOP / "docs" / "scenes.md").read_text(encoding="utf-8")
+PAGE = (TOP / "docs" / "howto" / "compose_a_scene.md").read_text(encoding="utf-8")
 MECHANICS = Bank(TOP / "examples" / "banks" / "corollary-mechanics" / "src" / "corollary_mechanics")
 
 

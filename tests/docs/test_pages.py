@@ -9,7 +9,7 @@ import pytest
 
 TOP = Path(__file__).parents[2]
 PACKAGE = TOP / "src" / "corollary"
-PAGES = [TOP / "README.md", *sorted((TOP / "docs").glob("*.md"))]
+PAGES = [TOP / "README.md", *sorted((TOP / "docs").rglob("*.md"))]
 NEW = ("TOPIC/NAME", "test_MODULE")  # what a page tells its reader to write
 
 

@@ -10,9 +10,8 @@ import pytest
 
 from corollary.cli.main import main
 
-PAGE = Path(__file__).parents[2] / "docs" / "instructor.md"
-SECTION = PAGE.read_text(encoding="utf-8").partition("## On paper\n")[2].partition("\n## ")[0]
-COMMANDS = re.findall(r"^\| `corollary ([^`]+)`", SECTION, re.MULTILINE)
+PAGE = Path(__file__).parents[2] / "docs" / "howto" / "print_sheets.md"
+COMMANDS = re.findall(r"^\| `corollary ([^`]+)`", PAGE.read_text(encoding="utf-8"), re.MULTILINE)
 
 
 @pytest.mark.whole

@@ -17,7 +17,7 @@ from corollary.derive.beside import LazyModule
 from corollary.messages import language
 from corollary.programs import Called, Fault
 
-PAGE = (Path(__file__).parents[2] / "docs" / "programs.md").read_text(encoding="utf-8")
+PAGE = (Path(__file__).parents[2] / "docs" / "reference" / "programs.md").read_text(encoding="utf-8")
 FALL, TRANSLATED = re.findall(r"^```python\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
 
 

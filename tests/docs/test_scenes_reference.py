@@ -19,7 +19,7 @@ def test_the_page_is_up_to_date():
 
 
 def test_every_setting_is_there():
-    page = (TOP / "docs" / "ready_scenes.md").read_text(encoding="utf-8")
+    page = (TOP / "docs" / "reference" / "ready_scenes.md").read_text(encoding="utf-8")
     told = {part.partition("`")[0]: part for part in page.split("\n## `")[1:]}
     assert told.keys() == set(SCENES)
     for name, part in told.items():

@@ -23,7 +23,7 @@ from corollary.problem.variant import chapter
 from corollary.render.practice_site import reading
 from corollary.verify.expected_answers import samples
 
-MANUAL = Path(__file__).parents[2] / "docs" / "author.md"
+MANUAL = Path(__file__).parents[2] / "docs" / "howto"
 BLOCK = r"((?:(?!^```).)*)"
 EXAMPLE = re.compile(
     rf"^```markdown\n(?=---\ncode: ){BLOCK}^```\n\n```python\n{BLOCK}^```", re.MULTILINE | re.DOTALL
@@ -65,7 +65,8 @@ def alone(asked: list[tuple[Key, str, dict]]) -> list[dict]:
 @pytest.fixture
 def manual(tmp_path) -> Bank:
     """The whole examples of the manual for authors, but for those of programs, which no page judges."""
-    examples = EXAMPLE.findall(MANUAL.read_text(encoding="utf-8"))
+    pages = [path.read_text(encoding="utf-8") for path in sorted(MANUAL.glob("*.md"))]
+    examples = [each for page in pages for each in EXAMPLE.findall(page)]
     for number, (problem, solution) in enumerate(each for each in examples if "file(" not in each[1]):
         for folder, ending, text in (("problems", "md", problem), ("solutions", "py", solution)):
             place = tmp_path / folder / "examples" / f"example_{number}.{ending}"

@@ -1,9 +1,9 @@
-"""Every example in docs/scenes.md does what it prints."""
+"""Every example in docs/howto/compose_a_scene.md does what it prints."""
 
 import doctest
 from pathlib import Path
 
-DOCS = Path(__file__).parent.parent.parent / "docs" / "scenes.md"
+DOCS = Path(__file__).parent.parent.parent / "docs" / "howto" / "compose_a_scene.md"
 
 
 def test_the_examples_for_scenes_do_what_they_print():

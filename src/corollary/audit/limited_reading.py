@@ -216,7 +216,7 @@ def _in_figures(number: Fraction, figures: int) -> str:
 
 SECONDS, WAITING = 20.0, 30.0  # of the processor, and on the wall: 20 MB of YAML take 15
 MOST_COMPLAINTS = 10
-NO_RECORDS = "there are no records in it; `docs/audit.md` shows how they are written"
+NO_RECORDS = "there are no records in it; `docs/reference/audit_records.md` shows how they are written"
 T = TypeVar("T")
 LONGEST_ID, LONGEST_STATEMENT, LONGEST_ANSWER = 200, 5000, 2000  # characters
 

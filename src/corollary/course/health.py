@@ -203,7 +203,7 @@ def _isolation(settings: Settings) -> Finding:
     state = "broken" if found.level < required else "weak" if found.missing else "good"
     short = [name for name in ("landlockpy", "pyseccomp") if sys.platform == "linux" and not _version(name)]
     remedy = (
-        installing("isolation") if short else "see docs/instructor.md, Isolation" if found.missing else ""
+        installing("isolation") if short else "see docs/reference/isolation.md" if found.missing else ""
     )
     missing = f"; missing: {'; '.join(found.missing)}" if found.missing else ""
     return Finding("isolation", state, f"level {found.level} ({found.line}): {holds}{missing}", remedy)

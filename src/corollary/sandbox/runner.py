@@ -382,7 +382,7 @@ _NO_JOB = Job((), ())
 
 NOT_HERE = (
     "notebooks and programs are run on Linux and macOS only: everything else works on Windows, "
-    "and grading does in WSL or in a container (docs/instructor.md, Windows)"
+    "and grading does in WSL or in a container (docs/howto/grade_on_windows.md)"
 )
 
 
