@@ -36,6 +36,7 @@ TERM = [
         "howto/write_a_set",
         "howto/verify_a_problem",
         "howto/translate_a_problem",
+        "howto/confirm_by_a_simulation",
         "howto/use_an_exchange",
         "howto/make_a_practice_site",
         "howto/grade_on_several_machines",
@@ -66,7 +67,6 @@ NOT_RUN = {
     r"--watch|^practise|^preview|^mark (momentum_1|SET)$": "goes on until it is stopped",
     r"--accept ID": "needs a near miss (tests/records)",
     r"^trade": "takes minutes (tests/benchmarks)",
-    r"scene cradle --set N=200": "takes half a minute",
 }
 PLACES = {
     "SET": "momentum_1",

@@ -54,7 +54,7 @@ def test_what_installs_an_extra_names_the_distribution():
     extras = tomllib.loads(text("pyproject.toml"))["project"]["optional-dependencies"]
     named = {
         (path.name, name, extra)
-        for path in [TOP / "README.md", *(TOP / "docs").glob("*.md")]
+        for path in [TOP / "README.md", *(TOP / "docs").rglob("*.md")]
         for name, extra in re.findall(
             r'pip install "([\w.-]+)\[([\w,]+)\]"', path.read_text(encoding="utf-8")
         )
