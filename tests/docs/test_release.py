@@ -73,7 +73,8 @@ def test_the_workflow_publishes_what_was_tried_and_keeps_no_secret():
     commands = [step.get("run", "") for step in jobs["build"]["steps"]]
     assert any(".ci/distribution.py" in each and "--tag" in each for each in commands)
     assert jobs["publish"]["permissions"] == {"id-token": "write"}
-    assert jobs["publish"]["needs"] == "install"
+    assert jobs["publish"]["needs"] == ["install", "site"]
+    assert {"run": "make site"} in jobs["site"]["steps"]
     assert jobs["install"]["needs"] == "build"
     assert [name for name, job in jobs.items() if "permissions" in job] == ["publish"]
     assert "secrets." not in workflow
