@@ -6,6 +6,7 @@ import csv
 import io
 import re
 import shlex
+import shutil
 import zipfile
 from pathlib import Path
 
@@ -57,6 +58,7 @@ ELSEWHERE = {
     "howto/audit_an_answer_key.md",
 }  # tests of their own
 NOT_RUN = {
+    r"--reveal": "needs a set with `reveal: by hand` (tests/cli)",
     r"--executor": "needs a Dask cluster (tests/course)",
     r"--to exchange": "needs an account for each student (tests/nbgrader)",
     r"--ids ARCHIVE": "needs an archive from Canvas (tests/clients)",
@@ -70,14 +72,15 @@ NOT_RUN = {
 }
 PLACES = {
     "SET": "momentum_1",
-    "CODE": "X12.5",
     "[CODE…]": "X12.5",
+    "CODE": "X12.5",
     "FOLDER": "mechanics",
     "FILE": "report.html",
     "FILE.html": "report.html",
     "NAME": "cradle",
     "--roster …": "--roster roster.csv",
     "--course …": "--course mechanics",
+    "--variants 20": "--variants 2",  # the same work ten times over
 }
 
 
@@ -135,14 +138,20 @@ def test_the_commands_of_the_how_to_pages_run(
         for line in commands(page):
             if not any(re.search(each, line) for each in NOT_RUN):
                 asked = line.startswith(("grade", "generate")) and not re.search("--yes|--dry-run", line)
-                if status := run(filled(line) + " --yes" * asked):
+                status = run(filled(line) + " --yes" * asked)
+                if status and (line, status) != ("doctor", 1):  # it found something wrong with this machine
                     failed.append(f"{page}: {line}: {status}: {capsys.readouterr().err}")
                 done.append(line)
         if page == "howto/make_sheets.md":
             hand_in(tmp_path)
             Path("momentum_2.md").write_text("---\ntitle: More momentum\nproblems: [X12.4]\n---\nMore.\n")
             assert run("generate momentum_2.md --roster roster.csv --course mechanics") == 0
-    assert not failed
+            Path("mechanics/submitted/ada/momentum_2").mkdir(parents=True)
+            shutil.copy(
+                "mechanics/release/ada/momentum_2/momentum_2.ipynb", "mechanics/submitted/ada/momentum_2"
+            )
+            assert run("grade momentum_2") == 0
+    assert not failed, "\n".join(failed)
     assert len(done) > 60
     assert (tmp_path / "mechanics" / "feedback" / "ada" / "momentum_1" / "momentum_1.html").is_file()
     assert (tmp_path / "mechanics" / "submitted" / "ada" / "momentum_1" / "momentum_1.ipynb").is_file()
