@@ -145,7 +145,7 @@ def _in_own_unit(problem: Problem, name: str, value: GivenValue) -> Fraction:
         case int() | Fraction() if not isinstance(value, bool):
             return _from_si(given, Fraction(value), 0)
         case _:
-            raise OutOfRange(f"{name}: {json.dumps(value, default=str)} is no number")
+            raise OutOfRange(f"{name}: {json.dumps(value, default=str)} is not a number")
 
 
 def _place_of(given: Given, value: GivenValue) -> Fraction:

@@ -167,7 +167,7 @@ def _bent(
         )
     tree = author_formula(right, operators=True)
     if not isinstance(tree, Relation):
-        raise ValueError(f"{right!r} is no law; write an equation, such as K = m*v^2/2")
+        raise ValueError(f"{right!r} is not a law; write an equation, such as K = m*v^2/2")
     if strange := [letter for letter in letters if letter not in names(tree)]:
         raise ValueError(f"{strange[0]} does not occur in {right!r}")
     changed = change(tree)

@@ -49,7 +49,7 @@ def test_a_number_is_what_is_written(problem: corollary.Problem, mass: float | s
     ("given", "why"),
     [
         ({"M": 1.0}, "M is not among the givens of X12.5"),
-        ({"m": True}, "m: true is no number"),
+        ({"m": True}, "m: true is not a number"),
         ({"m": "heavy"}, "m=heavy: "),
         ({"m": "3 s"}, "m=3 s: "),
         ({"m": float("nan")}, "m=nan: "),
@@ -92,7 +92,7 @@ def test_a_bank_of_ones_own_is_solved_from_its_own_solutions(tmp_path: Path) -> 
 
 
 def test_a_folder_that_is_no_bank(tmp_path: Path) -> None:
-    with pytest.raises(corollary.UnknownCode, match="is no bank"):
+    with pytest.raises(corollary.UnknownCode, match="is not a bank"):
         corollary.load_bank(tmp_path)
 
 

@@ -83,7 +83,7 @@ def test_one_for_each_answer(tmp_path):
 def test_what_is_no_tolerance(tmp_path, text):
     path = tmp_path / "r.yaml"
     path.write_text(LAWS + f"  published: 19.8\n  forgives: '{text}'\n")
-    with pytest.raises(Malformed, match=r"r\.yaml:7: .* is no tolerance; write a share of the answer"):
+    with pytest.raises(Malformed, match=r"r\.yaml:7: .* is not a tolerance; write a share of the answer"):
         records_in(path)
 
 

@@ -58,11 +58,19 @@ def test_every_form_says_the_same(tmp_path, name, text):
             "`giveN` of record a is not known",
         ),
         ("- id: a\n  asked: F\n  published: 1 N\n", 1, "needs either `laws` or a `problem`"),
-        ("- id: a\n  given: {m: 5..2 kg}\n  laws: [F = m]\n  asked: F\n  published: 1 N\n", 2, "is no range"),
-        ("- id: a\n  constants: Q\n  laws: [F = m]\n  asked: F\n  published: 1 N\n", 1, "Q is no constant"),
+        (
+            "- id: a\n  given: {m: 5..2 kg}\n  laws: [F = m]\n  asked: F\n  published: 1 N\n",
+            2,
+            "is not a range",
+        ),
+        (
+            "- id: a\n  constants: Q\n  laws: [F = m]\n  asked: F\n  published: 1 N\n",
+            1,
+            "Q is not a constant",
+        ),
         ("- &x {id: a}\n- *x\n", 2, "refers to another place"),
         ("- [a\n", 2, "is not YAML"),
-        ("hello", 1, "is no list of records"),
+        ("hello", 1, "is not a list of records"),
     ],
 )
 def test_what_is_wrong_is_named_with_its_line(tmp_path, text, line, sentence):
@@ -114,7 +122,7 @@ def test_a_quotation_mark_that_is_not_closed_costs_what_follows_and_says_so(tmp_
     path.write_text(HEADER + WALK + 'open,"v = 2 m/s,s = v*t,s,6 m\n' + WALK, encoding="utf-8")
     first, rest = records_in(path)
     assert not first.unread
-    assert "r.csv:3: is no CSV from here on" in rest.unread
+    assert "r.csv:3: is not CSV from here on" in rest.unread
 
 
 @pytest.mark.parametrize("parted_by", [";", "\t"])

@@ -69,7 +69,7 @@ def bank(tmp_path):
     ("old", "new", "line", "words"),
     [
         ('"v^2/2 = g*h"), target', '"v^2/2 = g*q", q=t), target', 10, "part b: t in Energy is neither given nor found"),
-        ('law("Energy", "v^2 = 2*g*h"), answers', "v**2 - 2*g*h, answers", 8, "is no law; state one, such as law("),
+        ('law("Energy", "v^2 = 2*g*h"), answers', "v**2 - 2*g*h, answers", 8, "is not a law; state one, such as law("),
         ('answers="a", where', 'answers="a", check=v > 0, where', 8, "check is a text for the reader, not v > 0"),
         ('wrong("v^2 = g*h")', 'wrong("v^2 = g*h"), where=True', 9, "the mistake 'Half.': 2 answers"),
         ('wrong("v^2 = g*h")', "", 9, "the mistake 'Half.': it names no law"),

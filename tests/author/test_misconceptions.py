@@ -64,7 +64,7 @@ def test_what_it_makes_of_a_law(misconception, by_hand):
         (lambda: sine_for_cosine("p = m*v"), "stays as it is"),
         (lambda: squared("p = m*v", "g"), "g does not occur in"),
         (lambda: swapped("p = m*v", "m", "g", "the masses"), "g does not occur in"),
-        (lambda: half_forgotten("m*v^2/2"), "is no law"),
+        (lambda: half_forgotten("m*v^2/2"), "is not a law"),
         (lambda: half_forgotten("p = q*v"), "what does q mean"),
     ],
 )

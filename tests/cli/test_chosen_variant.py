@@ -30,7 +30,7 @@ def test_the_key_of_a_student_is_that_of_the_sheet_shown():
     ("words", "sentence"),
     [
         (["--student", "ada", "--set", "m=1"], "--set and --student both choose the numbers"),
-        (["--course", "x"], "x is no course of ours"),
+        (["--course", "x"], "x is not a course of Corollary"),
     ],
 )
 def test_numbers_chosen_twice_are_refused(words, sentence):

@@ -29,7 +29,7 @@ def document(*words: object):
     """The JSON document of a command that ends with 0."""
     status, out, err = run(*words, "--json")
     assert status == 0, err
-    return json.loads(out, parse_constant=lambda word: pytest.fail(f"{word} is no JSON"))
+    return json.loads(out, parse_constant=lambda word: pytest.fail(f"{word} is not JSON"))
 
 
 @pytest.fixture
@@ -181,7 +181,7 @@ def test_one_crash_never_loses_the_batch(cases, monkeypatch, command):
     assert "parts" in first
     assert "parts" in third
     assert set(second) == {"error"}
-    assert "this should not have happened: ZeroDivisionError: of our own" in second["error"]
+    assert "internal error: ZeroDivisionError: of our own" in second["error"]
 
 
 @pytest.mark.parametrize(
@@ -317,7 +317,7 @@ def test_scene():
         (("show", "X12.5", "--format", "docx"), "docx"),
         (("show", "X12.5", "--variant", "999999999"), "999999999"),
         (("show", "X12.5", "--student", "a", "--variant", "1"), "one of them"),
-        (("show", "X12.5", "--course", "nowhere"), "is no course"),
+        (("show", "X12.5", "--course", "nowhere"), "is not a course"),
         (("key", "X12.5", "--set", "m=1", "--cases", "nowhere.json"), "one of them"),
         (("key", "X12.5", "--set", "=3"), "name=value"),
         (("key", ""), "empty name"),

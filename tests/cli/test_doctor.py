@@ -76,7 +76,7 @@ def test_for_people_each_finding_is_a_line_and_the_end_says_how_many_are_broken(
 def test_a_folder_that_is_no_course(tmp_path: Path, course: Path):
     status, found = doctor("--course", tmp_path)
     assert (status, found["course"]["state"]) == (1, "broken")
-    assert "is no course of ours" in found["course"]["sentence"]
+    assert "is not a course of Corollary" in found["course"]["sentence"]
 
 
 def roster_is_a_folder(course: Path) -> None:
@@ -101,7 +101,7 @@ def rows(*lines: str) -> Callable[[Path], None]:
     [
         (roster_is_a_folder, "is a folder", "roster.csv away, then corollary generate SET --roster FILE"),
         (key_is_damaged, "is damaged: 5 bytes", "restore .corollary from a backup"),
-        (rows("ada,Ada"), "roster.csv:2: ada, Ada is no student", "corollary generate SET --roster FILE"),
+        (rows("ada,Ada"), "roster.csv:2: ada, Ada is not a student", "corollary generate SET --roster FILE"),
         (rows("../ada,Ada,L,"), "roster.csv:2: ../ada", "corollary generate SET --roster FILE"),
         (rows(), "nobody on the roster", "corollary generate SET --roster FILE"),
     ],
@@ -150,7 +150,7 @@ def test_a_lock_is_that_of_a_run_at_work_and_goes_with_it(course: Path):
     [
         ("settings", "timezone = 'Berlin'", "did you mean Europe/Berlin"),
         ("settings", "jobs = ", "is not TOML"),
-        ("course's bank", "bank = '../nowhere'", "is no bank"),
+        ("course's bank", "bank = '../nowhere'", "is not a bank"),
     ],
 )
 def test_settings_that_will_not_do(course: Path, name: str, setting: str, words: str):

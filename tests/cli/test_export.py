@@ -90,7 +90,7 @@ REFUSED = [
     ),
     (["--to", "csv"], "csv holds marks; say of which course with --course"),
     (["--to", "md", "--variants", "2", "--roster", "r.csv"], "each choose the numbers; give one of them"),
-    (["--to", "md", "--course", "nowhere"], "is no course of ours"),
+    (["--to", "md", "--course", "nowhere"], "is not a course of Corollary"),
     (["--to", "pdf", "--forms", "2", "--variants", "2"], "each choose the numbers; give one of them"),
     (["--to", "md", "--forms", "2"], "--forms is for paper; leave it out, or export --to pdf"),
     (["--to", "moodle", "--formula-sheet"], "--formula-sheet is for paper"),

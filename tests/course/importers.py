@@ -44,7 +44,7 @@ def moodle(
             continue
         number = mark.replace(decimal, ".")
         if not re.fullmatch(r"[+-]?(\d+(\.\d*)?|\.\d+)", number):
-            raise Refused(f"{mark} is no number")
+            raise Refused(f"{mark} is not a number")
         if float(number) > 100:
             raise Refused(f"{mark} is too large")
         found[user] = float(number)

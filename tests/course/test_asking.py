@@ -103,7 +103,7 @@ def test_more_time_is_agreed_to_by_whoever_gave_it(graded: Path, tmp_path: Path)
     extend("2099-03-05")
     done = grade(graded, name=own)
     assert (done.status, done.points["ada"]) == (0, 5.0), done.errors
-    assert "ada has 5 points and no longer 2.5" in done.errors
+    assert "ada has 5 points instead of 2.5" in done.errors
     extend("--remove")
     done = grade(graded, name=own)
     assert (done.status, done.points["ada"]) == (1, 5.0), done.errors

@@ -120,13 +120,13 @@ def test_moodles_archive_of_all_submissions(course: Path, tmp_path: Path) -> Non
     assert taken(course) == {"ada": sheet(course, "ada"), "ben": sheet(course, "ben")}
     assert (when(course, "ada"), when(course, "ben")) == ("03 09:00", "03 09:00")
     assert {(each.student, each.why) for each in found.of(UNUSABLE)} >= {
-        ("cyd", "is no notebook; ask for one.ipynb")
+        ("cyd", "is not a notebook; ask for one.ipynb")
     }
     assert found.missing == ("cyd",)
     opened = open_course(course)
     report = report_of(opened, set_of(opened, str(course.parent / "one.md"))[1])
     assert report.unusable == (
-        ("cyd", "Cyd Charisse_173_assignsubmission_file_/one.html: is no notebook; ask for one.ipynb"),
+        ("cyd", "Cyd Charisse_173_assignsubmission_file_/one.html: is not a notebook; ask for one.ipynb"),
     )
     before = {path: path.read_bytes() for path in course.rglob("*") if path.is_file()}
     again = collected(course, zipped)
@@ -354,7 +354,7 @@ def test_whose_a_namesakes_file_is_says_the_worksheet(course: Path, tmp_path: Pa
     either = "Finn Berg is ben or cyd on the roster; give Moodle's grading worksheet with --times, or name the file after the id"
     assert {each.file: each.why for each in found.of(NOBODY)} == {
         neighbours: f"was made for ada; {either}",
-        page: f"is no notebook; ask for one.ipynb ({either})",
+        page: f"is not a notebook; ask for one.ipynb ({either})",
     }
     worksheet = tmp_path / "grades.csv"
     worksheet.write_text(

@@ -266,7 +266,7 @@ def test_a_template_with_decimal_commas_is_taken_where_moodle_speaks_so(folder: 
     done = export(folder, "--to", "moodle-grades", "--template", "grades.csv", "--column", title)
     found = moodle(done.text.encode(), "ID-Nummer", MOODLE, title, ",")
     assert found == {"ada": points(folder)["007"], "luk": points(folder)["0100"]}
-    with pytest.raises(Refused, match="is no number"):
+    with pytest.raises(Refused, match="is not a number"):
         moodle(done.text.encode(), "ID-Nummer", MOODLE, title, ".")
 
 

@@ -214,8 +214,8 @@ def test_a_piecewise_is_pointed_to_cases(refused, place):
     ("rest", "slides", "said"),
     [
         (REST, "slope > 200*mus*N", "the case 'the block slides': it holds for none of"),
-        (REST, "True", "is no condition of a case; write relations"),
-        (REST, "sympy.Or(m > 0, slope > mus*N)", "True is no condition of a case; write relations"),
+        (REST, "True", "is not a condition of a case; write relations"),
+        (REST, "sympy.Or(m > 0, slope > mus*N)", "True is not a condition of a case; write relations"),
         (REST, MANY, "can hold in more than 8 ways; state cases with conditions that are shorter"),
     ],
 )

@@ -100,7 +100,7 @@ def test_the_worked_solution_says_where_each_points(tmp_path):
         (GOOD + ', force("e", q, "left")', LAWS, "(?s)e acts; a mistake"),
         (GOOD.replace('force("c", P, beta)', 'force("c", P, "right")'), LAWS, "along 'up'"),
         (GOOD, LAWS.partition(", along")[0], r"in which \(d\) acts"),
-        (GOOD.replace('"up"', '"upp"'), LAWS, "'upp' is no direction"),
+        (GOOD.replace('"up"', '"upp"'), LAWS, "'upp' is not a direction"),
         (GOOD.replace('"up"', '"up the slope"'), LAWS, "add slope="),
         (GOOD.replace('force("d"', 'force("x"'), LAWS, "x is none of its options"),
     ],

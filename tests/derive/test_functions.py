@@ -205,14 +205,14 @@ def test_a_quotient_of_letters_stays_one(solved):
 @pytest.mark.parametrize(
     ("laws", "said"),
     [
-        (("m*dv/dt = m*g - b*v", "v1 = v(t1)"), "say besides how v begins, such as v(0) = …"),
-        (("v1 = v(t1)",), "these laws do not tell v(t)"),
-        (("dv/dt = g", "v(0) = 0", "v1 = v*t1"), "t is no number here; say where, as in v(0)"),
+        (("m*dv/dt = m*g - b*v", "v1 = v(t1)"), "add the initial value of v, such as v(0) = …"),
+        (("v1 = v(t1)",), "these laws do not determine v(t)"),
+        (("dv/dt = g", "v(0) = 0", "v1 = v*t1"), "t is not a number here; say where, as in v(0)"),
         (("v1 = d(m*g)/dt", "dv/dt = g", "v(0) = 0"), "g*m does not depend on t"),
         (("m*d2x/dt2 = -b*x*g", "v1 = x(t1)", "x(0) = 0"), "too few laws"),
         (("v1 = int(g, t)",), "an integral is int(what, letter, from, to)"),
-        (("v1 = b(t1)",), "b is no function; write * for a product, or say what it depends on"),
-        (("v1 = foo(t1)",), "foo(…) is no function here"),
+        (("v1 = b(t1)",), "b is not a function; write * for a product, or say what it depends on"),
+        (("v1 = foo(t1)",), "foo(…) is not a function here"),
         (("dv/dt = -x*g/t1", "dx/dt = v^2/g"), "only linear ones with constant coefficients"),
         (
             ("m*dv/dt = b*x", "m*dx/dt = -b*v", "v(0) = 0"),

@@ -107,7 +107,7 @@ def test_the_root_that_is_meant(solved, more):
         (", where=b > 2", "holds for"),
         (", where=b > 100", "no root is left"),
         (", where=b > unknown('z')", "z has no value here"),
-        (', reject=[reject("never", a=2*v)]', "the root to reject (never) is no root of the laws"),
+        (', reject=[reject("never", a=2*v)]', "the root to reject (never) is not a root of the laws"),
         (', reject=[reject("one", a=0), reject("other", a=v)]', "no root is left"),
     ],
 )
@@ -160,7 +160,7 @@ GOOD = 'step(p, "Here.", momentum(p, m, v), answers="a")'
         ('GOOD, step(q, "Again.", momentum(q, m, v), answers="a")', "answers part a more than once"),
         ('choice("a", "Here.", a=True)', "part a is .value; answer it with step(…)"),
         ('explain("a", "Rubric.", answer="Here.")', "part a is .value; answer it with step(…)"),
-        ('GOOD, None', "None, which is no entry"),
+        ('GOOD, None', "None, which is not an entry"),
         ('GOOD, printed("b", "1", "(1)")', "answers part b"),
         ('GOOD, printed("a", "1; 2", "(1)")', "part a has 1 numbers, but '1; 2' gives 2"),
         ('simulated(p, "Here.", scene="cradle", settings={}, observe="velocities")', "a simulated find must answer a part"),
@@ -377,7 +377,7 @@ def test_a_choice_knows_what_laws_needed_besides(solved, refused):
     assert written(found.choices["b"]) == {"a": [["m*v > m*t"]], "b": [["m*v <= m*t"]]}
     assert refused(f'return derivation({step}, choice("b", "So.", a=F > 0, b=F < 0))', asks=asks) == (
         8,
-        "part b: option a: F is neither given nor found before by a formula",
+        "part b: option a: F is neither given nor derived before",
     )
 
 

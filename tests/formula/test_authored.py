@@ -199,7 +199,7 @@ def test_what_is_no_number_that_was_typed_is_refused(made, remedy):
 def test_what_is_no_condition_is_refused(made):
     with pytest.raises(TypeError) as raised:
         as_condition(made)
-    assert "is no condition; write a relation" in str(raised.value)
+    assert "is not a condition; write a relation" in str(raised.value)
 
 
 def test_the_decimals_of_joined_conditions_are_exact():

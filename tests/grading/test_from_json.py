@@ -32,7 +32,7 @@ def test_json_is_data(given, value):
     ("given", "kind"), [({}, "dict"), ({1, 2}, "set"), (b"3", "bytes"), (object(), "object")]
 )
 def test_what_no_answer_is_is_refused_by_its_name(given, kind):
-    assert from_json(given) == Refused("is of a kind that no answer has", kind)
+    assert from_json(given) == Refused("has a type that no answer can have", kind)
 
 
 def test_true_is_no_number():

@@ -236,7 +236,7 @@ def test_everybody_has_a_sheet_of_their_own(term: Term, given_out: dict[str, byt
 def test_what_came_back_is_taken_or_named(term: Term, collected: dict[str, Any]) -> None:
     assert {each["student"] for each in collected["accepted"]} == {"1001", "1002", "1003", "1004", "1006"}
     assert [(each["student"], each["why"]) for each in collected["unusable"]] == [
-        ("1005", "is no notebook; ask for week1.ipynb")
+        ("1005", "is not a notebook; ask for week1.ipynb")
     ]
     assert "made for 1001" in " ".join(collected["conflicts"])
     assert collected["missing"] == ["1005"]

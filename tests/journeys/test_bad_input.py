@@ -217,7 +217,7 @@ def test_verify_says_all_of_it_and_goes_on(run, bank):
         (["show", "X1.1", "--variant", "1", "--student", "ada"], ["give one of them"]),
         (["show", "X1.1", "--format", "docx"], ["--format docx is not known; choose one of"]),
         (["show", "X1.1", "-o", "nowhere/cart.txt"], ["No such file or directory", "nowhere/cart.txt"]),
-        (["show", "X1.1", "--student", "ada", "--course", "nowhere"], ["is no course of ours"]),
+        (["show", "X1.1", "--student", "ada", "--course", "nowhere"], ["is not a course of Corollary"]),
         (
             ["judge", "X1.1", "--cases", "nowhere.json", "--json"],
             ["nowhere.json cannot be read: No such file"],
@@ -239,9 +239,9 @@ def test_verify_says_all_of_it_and_goes_on(run, bank):
         (["scene", "cradle", "--tolerance", "nan", "--json"], ["cannot be held"]),
         (
             ["grade", "week_1", "--course", "nowhere", "--json"],
-            ["is no course of ours", "corollary generate"],
+            ["is not a course of Corollary", "corollary generate"],
         ),
-        (["report", "week_1", "--course", "nowhere", "--json"], ["is no course of ours"]),
+        (["report", "week_1", "--course", "nowhere", "--json"], ["is not a course of Corollary"]),
         (["grade", "week_1", "--course", "words.json", "--json"], ["words.json"]),
         (["demo", "."], ["is not empty; name a fresh folder"]),
     ],
@@ -271,7 +271,7 @@ def test_a_request_that_is_wrong(run, bank, tmp_path, argv, words):
 def test_a_bank_that_is_none(run, tmp_path, argv):
     refused(
         run(*argv, "--bank", tmp_path, "--json", cwd=tmp_path),
-        f"{tmp_path} is no bank: it has no folder problems/",
+        f"{tmp_path} is not a bank: it has no folder problems/",
     )
 
 

@@ -239,7 +239,7 @@ def test_zip_collect_works_by_default(hub: Hub) -> None:
         place = hub.course / "submitted" / who / "one"
         assert notebook(place / "one.ipynb") == notebook(sheet)
         assert (place / "timestamp.txt").is_file()
-    assert "scan.pdf is no notebook, and is left out" in done.stderr
+    assert "scan.pdf is not a notebook, and is left out" in done.stderr
 
 
 def test_an_instructor_who_is_not_root_opens_each_sheet_for_its_student_alone(hub: Hub) -> None:

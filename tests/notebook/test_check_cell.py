@@ -131,7 +131,7 @@ SAID = [
     (
         "X12_5_h",
         "X12_5_h = ['p = m v', 'J = dp']",
-        "letters of your own: p: J in line 2 is no letter of the problem, and no line says what it is",
+        "letters of your own: p: J in line 2 is not a letter of the problem, and no line says what it is",
     ),
     ("X12_5_h", "X12_5_h = 3", "cannot be read: write a list of equations, each as text"),
     ("X12_5_i", "X12_5_i = [0.5, '3 m/s']", "read as (0.5, 3 m/s)"),

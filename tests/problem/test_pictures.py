@@ -87,7 +87,7 @@ def test_an_svg_keeps_its_shapes_on_a_light_sheet(read, beside):
         ("![a cart][photo]", "photo", "would not come along"),
         ('<img src="cart.png">', "<img>", "would not come along"),
         ("<SVG></SVG>", "<SVG>", "would not come along"),
-        ("![a cart](cart.gif)", "cart.gif", "is no picture"),
+        ("![a cart](cart.gif)", "cart.gif", "is not a picture"),
         ("![a cart](false.png)", "false.png", "does not hold what its name says"),
         ("![a cart](large.png)", "large.png", "has 600 kB"),
         ("![a cart](script.svg)", "script.svg", "has <script>"),

@@ -56,7 +56,7 @@ def test_a_chapter_value_may_lie_off_the_grid(read):
         ("  m: {is: mass, value: 1, from: 2, to: 1, step: 1}", "from must not exceed to"),
         ("  m: {is: mass, value: 1, from: 1, to: 2, step: 0}", "step be positive"),
         ("  m: {is: mass, value: 1, from: 1, to: 2, step: 0.3}", "does not reach `to`"),
-        ("  2m: {is: mass, value: 1}", "is no symbol"),
+        ("  2m: {is: mass, value: 1}", "is not a symbol"),
         ("  pi: {is: mass, value: 1}", "meaning of its own"),
         ("  lambda: {is: length, value: 1}", "meaning of its own"),
         ("  sin: {is: length, value: 1}", "sin is a function in formulas; call it sin_1"),
@@ -92,7 +92,7 @@ def test_a_condition_that_will_not_do(complaints, condition, words):
         ("title: A cart", 2, "the front matter has no `code`"),
         ("code: X1.1", 2, "the front matter has no `title`"),
         ("code:\ntitle: A cart", 2, "`code` of the front matter is empty"),
-        ("code: X 1/1\ntitle: A cart", 2, "is no code"),
+        ("code: X 1/1\ntitle: A cart", 2, "is not a code"),
         ("code: X1.1\ntitle: A {{m}} cart", 3, "has a hole"),
         (
             "code: X1.1\ntitle: A cart\ngivens: {}",

@@ -293,7 +293,7 @@ def test_another_package_brings_a_target_by_an_entry_point(installed, sheet):
     assert roll.problem_set is not None
     assert roll.problem_set(sheet.problem_set, [sheet]) == {"all.txt": b"ada"}
     with pytest.raises(
-        PlugInFault, match=r"the export broken of rollcall .* it is no corollary.render.exports.Target"
+        PlugInFault, match=r"the export broken of rollcall .* it is not a corollary.render.exports.Target"
     ):
         target("broken")
     with pytest.raises(PlugInFault, match="the export gone of rollcall cannot be used: rollcall:MISSING"):

@@ -305,7 +305,7 @@ def _fault(settled: Settled, box: Grid, clause: list[Relation], about: str) -> s
         shown = {name: Fraction(text.replace("−", "-")) for name, text in settled.numbers.items()}
         here = [at for at in possible if shown.items() <= at.items()]
         if not shown or not any(not any(each.at(at) for each in clause) for at in here):
-            return f"{about} is no counter-example at {shown}"
+            return f"{about} is not a counter-example at {shown}"
     return ""
 
 

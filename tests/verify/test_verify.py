@@ -72,7 +72,7 @@ TO_SHOW = '\n## Both {#c .proof components="p F"}\nShow it.\n'
 def test_a_proof_with_an_unknown_letter_says_which(verified, problem):
     body = SHOW.replace('"F = p/t", "F', '"F = p/z", "F') % "momentum(p, m, v), rest"
     (first, *_) = verified(body, problem=problem + TO_SHOW).complaints
-    assert "should be right and is unmarked (z in line 2 is no letter of the problem" in first
+    assert "should be right and is unmarked (z in line 2 is not a letter of the problem" in first
 
 
 def test_a_claim_that_the_laws_of_its_proof_imply(verified, problem):

@@ -46,7 +46,7 @@ def doubtful(typed: str, normalized: str) -> ParseError | None:
     if (bound := bound_in(typed)) is not None:
         return ParseError("asked", of_a_bound(bound), None)
     if HEXADECIMAL.search(normalized):
-        why = _("{text} is no decimal number", text=normalized.strip())
+        why = _("{text} is not a decimal number", text=normalized.strip())
         return refused(why, 0, _("write one number and a unit"))
     return None
 

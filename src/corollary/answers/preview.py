@@ -83,7 +83,7 @@ def preview_of(answer: Answer) -> Preview:
             if unknown is None:
                 return Preview(True, read)
             remark = _(
-                "{letter} in line {line} is no letter of the problem, and no line says what it is",
+                "{letter} in line {line} is not a letter of the problem, and no line says what it is",
                 letter=unknown.undefined,
                 line=unknown.line,
             )

@@ -74,4 +74,4 @@ def _loaded(name: str, module: str, wanted: str) -> Any:
 
 
 def _unknown(name: str) -> UnknownAnswerType:
-    return UnknownAnswerType(f"there is no answer type {name}; there are {', '.join(known())}")
+    return UnknownAnswerType(f"there is no answer type {name}; choose one of {', '.join(known())}")

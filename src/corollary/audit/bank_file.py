@@ -53,7 +53,7 @@ def records_of(path: Path, laws: Mapping[str, ExerciseRecord]) -> tuple[Exercise
         )
     if ending not in READERS:
         known = ", ".join(sorted({*RECORDS, *READERS}))
-        raise Malformed([Diagnostic(path, 1, f"is of no kind that is read here ({known})")])
+        raise Malformed([Diagnostic(path, 1, f"is not a supported kind of file (supported: {known})")])
     return joined_each(READERS[ending](path), laws)
 
 
@@ -218,7 +218,9 @@ def _in_si(formula: str, given: Mapping[str, StatedGiven], asked: AskedLetter) -
 def _scaled(tree: Expr, unit: Unit, *, below: bool) -> Expr:
     """The formula times the size of a unit, or divided by it."""
     if unit.offset:
-        raise ValueError(f"the key is a formula of bare numbers in {unit.text}, which begins at no zero")
+        raise ValueError(
+            f"the key is a formula of bare numbers in {unit.text}, a scale that does not begin at zero"
+        )
     if unit.bare:
         return tree
     size: Expr = Number(unit.factor)

@@ -51,7 +51,7 @@ def forgiven_from(text: str) -> ForgivenError:
         size = math.nan
     if not _sizes(size):
         raise ValueError(
-            f"{text!r} is no tolerance; write a share of the answer, `1 %`, or a number in its unit, `0.5`"
+            f"{text!r} is not a tolerance; write a share of the answer, `1 %`, or a number in its unit, `0.5`"
         )
     return ForgivenError(size / 100, 0.0) if percent else ForgivenError(0.0, size)
 

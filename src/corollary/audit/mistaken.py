@@ -123,9 +123,7 @@ def _exchanged(record: ExerciseRecord, wrong: WrongLaw) -> tuple[str, tuple[LawT
         places = [place for place, law in enumerate(record.laws) if _sides(law.formula).left == left]
         places = [0] if len(record.laws) == 1 else places
     if len(places) != 1:
-        raise ValueError(
-            f"the mistake {wrong.says!r} does not say which law it takes the place of: write instead:"
-        )
+        raise ValueError(f"the mistake {wrong.says!r} does not name the law it replaces: write instead:")
     changed = LawText(record.laws[places[0]].name, wrong.formula, wrong.line)
     return changed.name, (*record.laws[: places[0]], changed, *record.laws[places[0] + 1 :])
 

@@ -147,8 +147,8 @@ def rows_in(path: Path, source: str) -> ListNode:
                 items.append(_row(header, cells, line))
     except csv.Error as error:
         if not items:
-            raise Malformed([Diagnostic(path, line + 1, f"is no CSV: {error}")]) from None
-        items.append(TextNode(f"is no CSV from here on, and is not read to its end: {error}", line + 1))
+            raise Malformed([Diagnostic(path, line + 1, f"is not CSV: {error}")]) from None
+        items.append(TextNode(f"is not CSV from here on, and is not read to its end: {error}", line + 1))
     return ListNode(tuple(items), 1)
 
 
@@ -185,14 +185,14 @@ OR = re.compile(r"\s*(?:,|\bor\b)\s*")
 def given_from(symbol: str, text: str) -> StatedGiven:
     """`2 kg`, `2..5 kg`, `30 deg`, `0.25`, or a unit alone. Raises ValueError with a sentence."""
     if not SYMBOL.match(symbol):
-        raise ValueError(f"{symbol!r} is no letter; use a letter, then letters, digits or _")
+        raise ValueError(f"{symbol!r} is not a letter; use a letter, then letters, digits or _")
     typed = text.translate(TO_ASCII).strip()
     spread = RANGE.fullmatch(typed)
     if spread is not None:
         low, _ = _number(spread[1], text)
         high, rest = _number(spread[2], text)
         if not low.value < high.value:
-            raise ValueError(f"{text!r} is no range: the smaller number comes first, as in 2..5 kg")
+            raise ValueError(f"{text!r} is not a range: the smaller number comes first, as in 2..5 kg")
         return StatedGiven(symbol, _unit(rest), low.value, high.value)
     if re.match(r"1\s*/\s*[^\d\s.,]", typed) or not re.match(r"[-+]?\s*[\d.,½⅓⅔¼¾]", typed):
         return StatedGiven(symbol, unit(typed), None, None)
@@ -205,7 +205,7 @@ def asked_from(text: str) -> AskedLetter:
     letter, mark, its_unit = text.strip().partition(" in ")
     if not LETTER.match(letter.strip()):
         raise ValueError(
-            f"{text!r} asks for no letter; write one of the laws' letters, as in `v` or `v in km/h`"
+            f"{text!r} does not name the letter that is asked for; write one of the laws' letters, as in `v` or `v in km/h`"
         )
     return AskedLetter(letter.strip(), unit(its_unit.strip()) if mark else None)
 
@@ -235,7 +235,7 @@ def _unit(text: str) -> Unit:
 
 LAST_LINE = 1 << 31
 OF_A_FILE = ("source", "address", "licence")
-NO_RECORD = "is no record; write `id: …` and what belongs to it"
+NO_RECORD = "is not a record; write `id: …` and what belongs to it"
 T = TypeVar("T")
 
 
@@ -302,7 +302,7 @@ def _head(path: Path, root: Node | None, complaints: list[Diagnostic]) -> tuple[
         case TableNode():
             return FileHead({}), (root,)
         case _:
-            raise Malformed([Diagnostic(path, 1, "is no list of records; each begins with `- id: …`")])
+            raise Malformed([Diagnostic(path, 1, "is not a list of records; each begins with `- id: …`")])
 
 
 def _record(
@@ -339,7 +339,9 @@ def _record(
     constants = (*_texts(row, "constants"), *(each for each in head.constants if each not in here))
     for name in constants:
         if name not in CONSTANTS:
-            row.complain(node.line, f"{name} is no constant known here; there are {', '.join(CONSTANTS)}")
+            row.complain(
+                node.line, f"{name} is not a constant known here; choose one of {', '.join(CONSTANTS)}"
+            )
     found = ExerciseRecord(
         own_id,
         path,
@@ -430,7 +432,7 @@ def _laws(row: Reader, name: str, bank: Mapping[str, LawText]) -> Iterator[LawTe
                 if isinstance(inside, TextNode):
                     yield from _law(row, title, inside.text.strip(), line)
                 else:
-                    row.complain(line, f"`{title}` of {row.what} is no text of a law")
+                    row.complain(line, f"`{title}` of {row.what} is not a text of a law")
             case _:
                 row.complain(node.line, f"a law of {row.what} is a text, or `name: text`")
 
@@ -442,7 +444,7 @@ def _law(row: Reader, title: str, formula: str, line: int) -> Iterator[LawText]:
         row.complain(line, f"{row.what}: {error}")
         return
     if "=" not in formula:
-        row.complain(line, f"{row.what}: {formula!r} has no = sign, and is no law of the file's head")
+        row.complain(line, f"{row.what}: {formula!r} has no = sign, and is not a law of the file's head")
         return
     yield LawText(title, formula, line)
 
@@ -467,6 +469,6 @@ def _mistakes(row: Reader) -> Iterator[WrongLaw]:
 def _figures(row: Reader) -> int | None:
     text, line = row.line_of("figures", "")
     if text and not (text.isdecimal() and 0 < int(text) < 20):
-        row.complain(line, f"`figures: {text}` of {row.what} is no number of figures")
+        row.complain(line, f"`figures: {text}` of {row.what} is not a number of figures")
         return None
     return int(text) if text else None

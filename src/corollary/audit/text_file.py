@@ -35,7 +35,7 @@ def text_of(path: Path, most: int = LARGEST_FILE) -> str:
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise _malformed(path, "is no text in UTF-8; save it as UTF-8") from None
+        raise _malformed(path, "is not text in UTF-8; save it as UTF-8") from None
 
 
 def _content(path: Path, most: int) -> bytes:
@@ -104,7 +104,7 @@ def xml_of(path: Path) -> Element:
     except TooManyElements:
         why, line = "has too many elements, or elements nested too deeply", parser.parser.CurrentLineNumber
     except ParseError as error:
-        why, line = f"is no XML: {error}", error.position[0]
+        why, line = f"is not XML: {error}", error.position[0]
     raise Malformed([Diagnostic(path, line, why)])
 
 

@@ -49,9 +49,7 @@ def run(
     for each in (*found.conflicts, *found.remarks):
         say(each)
     if found.log is not None:
-        say(
-            f"this program failed over a file, which is a fault of its own: {found.log} says where; please report it"
-        )
+        say(f"an internal error occurred while a file was read: {found.log} says where; please report it")
     if as_json:
         outcomes = {
             outcome: [to_builtins(each) for each in found.of(outcome)]

@@ -77,7 +77,7 @@ def command(
 
 command(
     "list",
-    "Every problem: code, title, topic, givens, parts, kinds of answer, number of distinct variants.",
+    "List every problem: code, title, topic, givens, parts, answer types, number of distinct variants.",
     *LISTED,
     BANK,
     JSON,
@@ -85,7 +85,7 @@ command(
 )
 command(
     "show",
-    "One problem as a student sees it.",
+    "Show one problem as a student sees it.",
     CODE,
     *BANK_AND_LANGUAGE,
     text("--student", "The numbers this student would get (with --course: those dealt there).", STUDENTS),
@@ -98,7 +98,7 @@ command(
 )
 command(
     "key",
-    "The answer key for given numbers, every digit certified. Status 2: a given is unknown or against the physics.",
+    "Print the answer key for given numbers, every digit certified. Status 2: a given is unknown or physically impossible.",
     CODE,
     BANK,
     several("--set", "givens", 'A given: m=0.43 (SI) or v="72 km/h"'),
@@ -109,7 +109,7 @@ command(
 )
 command(
     "judge",
-    "Marks plain answers, no notebook needed.",
+    "Mark plain answers, without a notebook.",
     CODE,
     path("--cases", text='A JSON list of {"given": {…}, "answers": {…}}.', required=True),
     BANK,
@@ -119,7 +119,7 @@ command(
 )
 command(
     "read",
-    "How an answer is read, and what would be decided.",
+    "Show how an answer is read, and what would be decided.",
     click.Argument(["text"], required=False, help="An answer as typed: 8,6 Ns"),
     text("--unit", "The unit asked for."),
     text("--equals", "A formula to compare with."),
@@ -131,7 +131,7 @@ command(
 )
 command(
     "scene",
-    "Runs a ready-made scene with the least model that answers, and says which and why. Status 1: the run cannot be followed; "
+    "Run a ready-made scene with the simplest sufficient model, and say which and why. Status 1: the run cannot be continued; "
     "2: a setting is wrong.",
     *PLAYED,
     BANK,
@@ -139,75 +139,78 @@ command(
 )
 command(
     "verify",
-    "Proves problems and solutions right, or says what is wrong; of a set also what differs between the problems of a pool.",
+    "Prove problems and solutions right, or say what is wrong; for a set also compare the problems of a pool.",
     all_when_left_out("codes", "[CODE|SET]...", "Problems, or sets, to verify", CODES_AND_SETS),
     BANK,
     VARIANTS,
     JSON,
-    flag("--extremes", "Instead: closed forms at the ends of the range."),
-    path("--report", text="Write what was found as a page: derivations, obligations, answers over the grid."),
-    flag("--anew", "Verify also what held before and has not changed since."),
-    flag("--verbose", "Show notes, too, and not only how many there are."),
+    flag("--extremes", "Compare closed forms at the ends of the range instead."),
+    path("--report", text="Write the findings as a page: derivations, obligations, answers over the grid."),
+    flag("--anew", "Also verify what held before and is unchanged."),
+    flag("--verbose", "Show the notes, and not only their number."),
     VERIFYING_CLUSTER,
     flag("--watch", "Verify one problem again whenever it is saved, until ctrl-C."),
 )
 command(
     "audit",
-    "Somebody else's answer key: agrees, last figure, wrong, not unique, impossible, ambiguous, cannot say.",
+    "Audit an answer key from elsewhere: agrees, last figure, wrong, not unique, impossible, ambiguous, cannot say.",
     *AUDITED,
     JSON,
 )
 command(
     "certify",
-    "A proof script of the key, for all numbers, that an independent kernel (Coq) checks.",
+    "Write a proof script of the key, for all numbers, that an independent kernel (Coq) checks.",
     CODE,
     BANK,
-    path("--output", "-o", text="Where the script goes; CODE.v in the working folder when left out."),
-    flag("--check", "Let coqc check it, and put hash and version on the key's record."),
+    path("--output", "-o", text="The script's file; CODE.v in the working folder when left out."),
+    flag("--check", "Check it with coqc, and add hash and version to the key's record."),
     JSON,
 )
 command(
     "new",
-    "A problem and its solution that verify as written, to be bent into one's own.",
+    "Create a problem and its solution that verify as written, ready to be changed.",
     *NEW,
     BANK,
     JSON,
 )
 command(
     "preview",
-    "A local page that reloads: twenty variants, redrawn ones marked and why, key, mistakes and tolerance.",
+    "Open a local page that reloads: twenty variants, redrawn ones marked and why, key, mistakes and tolerance.",
     CODE,
     *BANK_AND_LANGUAGE,
     *PAGE,
 )
 command(
     "practise",
-    "A local page to practise on: any exercise, other numbers each time, hints, and the worked solution step by step.",
+    "Open a local page for practice: any exercise, new numbers each time, hints, and the worked solution step by step.",
     all_when_left_out("wanted", "[CODE|TOPIC|SET]...", "What to practise on", CODES_AND_SETS),
     *BANK_AND_LANGUAGE,
     several(
         "--except",
         "left_out",
-        "Leave out the problems of this set, as those of sets that are not due yet",
+        "Leave out the problems of this set, like those of sets that are not due yet",
         SETS,
     ),
     path(
-        "--course", text="Whose open sets are left out, too; the one around the working folder when left out."
+        "--course",
+        text="The course whose open sets are left out; the one around the working folder when not given.",
     ),
     *PAGE,
 )
-command("schema", "The JSON schema of a problem's front matter, for editors.")
+command("schema", "Print the JSON schema of a problem's front matter, for editors.")
 command(
     "trade",
-    "Measures speed against accuracy; writes the table and the picture.",
+    "Measure speed against accuracy; write the table and the picture.",
     all_when_left_out("scenes", "[SCENE]...", 'cradle, spheres, "cradle N=3 q=1.5" …', SCENES),
-    path("--output", "-o", text="Where table and pictures go; trade/ when left out (nowhere with --json)."),
+    path(
+        "--output", "-o", text="The folder for table and pictures; trade/ when left out (none with --json)."
+    ),
     JSON,
-    flag("--quick", "Without the longest runs, each timed once."),
+    flag("--quick", "Skip the longest runs, and time each once."),
 )
 command(
     "generate",
-    "A problem set, different for each student, as an nbgrader course.",
+    "Generate a problem set, different for each student, as an nbgrader course.",
     SET,
     path(
         "--roster",
@@ -218,66 +221,70 @@ command(
     *BANK_AND_LANGUAGE,
     JSON,
     text("--id-column", "The roster's column with the ids, by name or number."),
-    flag("--not-renamed", "What looks renamed is not: what is gone is gone, and what is new is new."),
-    flag("--renew", "Give who has not handed in the sheet of today, where the set was corrected since."),
-    flag("--yes", "Agree to what is asked: taken off the roster, called otherwise, given another sheet."),
+    flag("--not-renamed", "Treat parts that look renamed as removed and added."),
+    flag("--renew", "Give students who have not handed in the corrected sheet."),
+    flag("--yes", "Answer all questions with yes: students removed or renamed, sheets replaced."),
 )
 command(
     "release",
-    "Gives each student the own sheet: nbgrader's exchange, folders, archives, a mailing, Moodle, Canvas.",
+    "Give each student their own sheet: nbgrader's exchange, folders, archives, a mailing, Moodle, Canvas.",
     SET,
     WAY_OUT,
     COURSE,
     GENERATED_BANK,
     path("--output", "-o", text="The folder for the files; given_out/ in the course when left out."),
     path(
-        "--ids", text="What Moodle or Canvas knows the students by: a grading worksheet, or all submissions."
+        "--ids",
+        text="The students' numbers in Moodle or Canvas: a grading worksheet, or an archive of all submissions.",
     ),
     flag("--force", "Release to the exchange again."),
     JSON,
 )
 command(
     "collect",
-    "Takes what came back: Moodle's and Canvas's archives of all submissions, folders, renamed notebooks.",
+    "Collect what was handed in: archives of Moodle and Canvas, folders, renamed notebooks.",
     SET,
     WHAT_CAME,
     COURSE,
     GENERATED_BANK,
-    path("--times", text="Moodle's grading worksheet, which says when each was handed in."),
-    flag("--dry-run", "Say what would be taken, and write nothing."),
+    path("--times", text="Moodle's grading worksheet, for the times of submission."),
+    flag("--dry-run", "Show what would be collected, and write nothing."),
     JSON,
 )
 command(
     "grade",
-    "Marks what was handed in: gradebook, feedback, report.",
+    "Mark what was handed in: gradebook, feedback, report.",
     SET,
     COURSE,
     GENERATED_BANK,
     JSON,
-    flag("--regrade", "Mark again what is marked, and show first who changes."),
-    flag("--dry-run", "Mark, show who changes, and write nothing."),
-    flag("--yes", "Move marks that were given already without asking."),
+    flag("--regrade", "Mark again what is already marked; show first whose marks change."),
+    flag("--dry-run", "Mark, show whose marks change, and write nothing."),
+    flag("--yes", "Change marks that were already given without asking."),
     flag(
-        "--strict", "Status 1, too, where students' files could not be opened, run, or matched to a student."
+        "--strict",
+        "Also end with status 1 if a student's file could not be opened, run, or matched to a student.",
     ),
-    flag("--reveal", "From now on feedback gives right values, in a set that says reveal: by hand."),
+    flag("--reveal", "From now on show right values in the feedback of a set with reveal: by hand."),
     *RUNNING,
 )
 command(
     "extend",
-    "A deadline of one's own, or an excuse, for one student.",
+    "Extend the deadline of one student, or excuse them.",
     *EXTENDED,
     COURSE,
-    flag("--excuse", "The student need not hand in: reports and exports leave the marks blank."),
-    flag("--remove", "Take back the extension or the excuse."),
+    flag("--excuse", "Excuse the student: reports and exports leave the marks blank."),
+    flag("--remove", "Remove the extension or the excuse."),
     click.Option(
-        ["--list", "listing"], is_flag=True, help="Who has which; of STUDENT, or of SET, when named."
+        ["--list", "listing"],
+        is_flag=True,
+        help="List extensions and excuses; of STUDENT, or of SET, when named.",
     ),
     JSON,
 )
 command(
     "mark",
-    "Marking by hand, all answers to one part together: a page on this machine.",
+    "Mark by hand, all answers to one part together, on a local page.",
     SET,
     COURSE,
     GENERATED_BANK,
@@ -287,46 +294,48 @@ command(
 )
 command(
     "report",
-    "What an instructor reads: marks, each part, misconceptions met, what waits for a person.",
+    "Write the instructor's report: marks, each part, misconceptions, answers waiting for a person.",
     SET,
     COURSE,
     GENERATED_BANK,
     JSON,
     path("--output", "-o", text="Write the page here too."),
-    flag("--statistics", "Also difficulty, discrimination, and what the numbers drawn did, with intervals."),
+    flag(
+        "--statistics", "Add difficulty, discrimination, and the effect of the numbers drawn, with intervals."
+    ),
     path("--csv", text="Write these statistics here as a table."),
 )
 command(
     "export",
-    "A set as files for elsewhere: each student's sheet, or the marks of all.",
+    "Export a set as files for other systems: each student's sheet, or all marks.",
     *EXPORTED,
-    path("--course", text="The sheets, or the marks, of this course's students."),
-    path("--roster", text="Without a course: a sheet for everybody in this CSV file."),
+    path("--course", text="Export the sheets, or the marks, of this course's students."),
+    path("--roster", text="Without a course: a sheet for each student in this CSV file."),
     GENERATED_BANK,
     click.Option(
         ["--variants"],
         type=AT_LEAST_1,
-        help="Without either: so many sheets with distinct numbers; of questions, so many of each problem.",
+        help="Without either: this many sheets with distinct numbers; for questions, this many of each problem.",
     ),
-    flag("--apart", "Questions of an LMS: each part one of its own, with numbers of its own."),
+    flag("--apart", "Questions for an LMS: each part as a separate question, with its own numbers."),
     several("--except", "left_out", "site: leave out the problems of this set", SETS),
     path("--pyodide", text="site: the unpacked npm package pyodide; it is fetched when left out."),
     SOLUTION,
     *PRINTED_AND_MARKED,
-    path("--ids", text="feedback-zip: what Moodle or Canvas knows the students by, as for release."),
+    path("--ids", text="feedback-zip: the students' numbers in Moodle or Canvas, as for release."),
     path("--output", "-o", text="The folder for the files; export/ when left out."),
     JSON,
 )
 command(
     "doctor",
-    "Whether this machine and this course are fit for work: versions, isolation, nbgrader, disk, time zone.",
+    "Check this machine and this course: versions, isolation, nbgrader, disk, time zone.",
     path("--course", text="A course to look at; the one around the working folder when left out."),
     JSON,
     settings=False,
 )
 command(
     "demo",
-    "The whole way, end to end, in a fresh folder.",
+    "Run a whole course, end to end, in a fresh folder.",
     click.Argument(
         ["folder"], type=PATH, default=Path("demo"), required=False, help="A fresh folder for the course."
     ),

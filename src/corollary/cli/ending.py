@@ -164,7 +164,9 @@ def unforeseen(error: Exception) -> str:
     """What is said of a fault of ours; with COROLLARY_DEBUG it is raised instead."""
     if os.environ.get("COROLLARY_DEBUG"):
         raise error
-    return f"this should not have happened: {type(error).__name__}: {error} (COROLLARY_DEBUG=1 shows where; please report it)"
+    return (
+        f"internal error: {type(error).__name__}: {error} (COROLLARY_DEBUG=1 shows where; please report it)"
+    )
 
 
 def say(sentence: str) -> None:

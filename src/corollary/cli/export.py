@@ -129,7 +129,7 @@ def _of_one_set(
         pages = feedback_files(course, problem_set, given["ids"] or given["template"])
         if pages.without:
             say(
-                f"{few(pages.without)}: {pages.lms.capitalize()} has no number of theirs that is known, so nothing goes back"
+                f"{few(pages.without)}: their number in {pages.lms.capitalize()} is not known, so they get no file"
             )
         archive = chosen.feedback(pages.files)
         name = f"{problem_set.name}-feedback-{pages.lms}.{chosen.ending}"
@@ -157,7 +157,7 @@ def _say_of_marks(table: MarksTable, made: FilledIn) -> None:
     for note in made.notes:
         say(note)
     if table.is_blank:
-        say("nobody has marks yet, for nothing was handed in when it was graded: every mark is blank")
+        say("nobody has marks yet, because nothing was handed in when it was graded: every mark is blank")
     for who, what in (
         (made.strangers, "in the file and not in the course, left as they are"),
         (made.absent, "of the course, not in the file"),

@@ -66,4 +66,4 @@ def _show(made: Exported, written: Sequence[str], wanted: int | None) -> None:
     print(f"{made.title}: {', '.join(written)}")
     fewer = [code for code, count in made.variants.items() if wanted is not None and count < wanted]
     if fewer:
-        say(f"no {wanted} variants are there of {few(fewer)}: as many as there are")
+        say(f"fewer than {wanted} variants exist of {few(fewer)}: all of them are written")

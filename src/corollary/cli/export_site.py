@@ -46,7 +46,7 @@ def run(named: Sequence[str], given: ExportOptions) -> int:
     files |= exercises
     found.problems = tuple(each for each in found.problems if each.code not in refused)
     for code, why in refused.items():
-        say(f"{code} is left out, since it has no answers: {why}")
+        say(f"{code} is left out because it has no answers: {why}")
     if not found.problems:
         refuse("no problem is left to practise on")
     files["index.html"] = page_file(found)
@@ -54,7 +54,7 @@ def run(named: Sequence[str], given: ExportOptions) -> int:
         name, content = snapshot_file(python, found)
         files[name] = content
     except NoSnapshot as error:
-        say(f"the page will take some seconds longer until it judges the first answer, for {error}")
+        say(f"the page takes some seconds more to judge its first answer: {error}")
     for name, content in files.items():
         write_whole(output / name, content)
     size = sum(map(len, files.values()))

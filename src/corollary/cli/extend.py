@@ -87,7 +87,7 @@ def _warn_of_what_is_out(course: Course, problem_set: ProblemSet, who: str, exte
 def _until(course: Course, problem_set: ProblemSet, text: str) -> Extension:
     due, found = problem_set.due, moment(text, read_settings(course.folder).usual.zone)
     if found is None:
-        refuse(f"{text} is no moment; {HOW_TO_WRITE}")
+        refuse(f"{text} is not a date or time; {HOW_TO_WRITE}")
     if due is None:
         refuse(f"{problem_set.name} has no date to extend; give it one, due: 2026-12-04, in the set's file")
     if found < due:

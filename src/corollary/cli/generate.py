@@ -76,7 +76,7 @@ def run(
             f'{course / "corollary.toml"} says language = "{spoken()}" from now on: students read all of the course in it'
         )
     if not renew and (plan.sheets or plan.handed_in):
-        say("everybody keeps the sheet they have, to the byte; with --renew:")
+        say("all students keep their present sheet, byte for byte; with --renew:")
         say_renewals(plan)
     if as_json:
         answer(
@@ -168,7 +168,7 @@ def _students(
             f"Take {'them' if count > 1 else 'this student'} off the roster? Numbers and marks stay recorded."
         )
         if not agreed(question, yes):
-            say("to add newcomers alone, give a file in which nobody else stands")
+            say("to add only new students, give a file that names only them")
             return None
     if before and change.new:
         say(f"new: {', '.join(each.id for each in change.new)}")

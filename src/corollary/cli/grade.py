@@ -69,12 +69,12 @@ def run(
             "written anew, with what persons gave"
         )
     for student, why in done.not_run.items():
-        say(f"{student} is not graded, for this machine failed: {why} Nothing is recorded; grade again")
+        say(f"{student} is not graded, because this machine failed: {why} Nothing is recorded; grade again")
     for student, what in done.failures.items():
-        say(f"{student}: this program failed over what was handed in, so a person has to look ({what})")
+        say(f"{student}: an internal error occurred while this was marked, so a person has to look ({what})")
     if done.failures:
         say(
-            f"such a failure is a fault of this program: {done.log} says where; please report it, and grade again with the next version"
+            f"this is an error in Corollary: {done.log} says where; please report it, and grade again with the next version"
         )
     for student, names in done.unclear.items():
         say(f"{student} handed in {why_unclear(problem_set.name, names)}")
@@ -82,12 +82,12 @@ def run(
         say(line)
     if done.gone:
         say(
-            f"no notebook lies in submitted/STUDENT/{problem_set.name} any more, and the marks it was given stay: {', '.join(done.gone)}; put it "
+            f"no notebook is in submitted/STUDENT/{problem_set.name} any more, and its marks are kept: {', '.join(done.gone)}; put it "
             f"back and grade again, or corollary extend STUDENT {problem_set.name} --excuse, if the marks are not to count"
         )
     for each in done.extended:
         say(
-            f"{each.student} has {each.after:g} points and no longer {each.before:g}: there was more time, and lateness takes less"
+            f"{each.student} has {each.after:g} points instead of {each.before:g}: the deadline was extended, so lateness costs less"
         )
     if as_json:
         answer(document(problem_set.name, done))

@@ -82,7 +82,7 @@ def _known(option: str, named: list[str], have: set[str]) -> None:
     for name in named:
         if name not in have:
             refuse(
-                f"{option} {name} is in no problem{did_you_mean(name, have)}; there are {', '.join(sorted(have))}"
+                f"{option} {name} is in no problem{did_you_mean(name, have)}; choose one of {', '.join(sorted(have))}"
             )
 
 

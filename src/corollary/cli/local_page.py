@@ -75,7 +75,7 @@ class _Handler(BaseHTTPRequestHandler):
         try:
             posted: object = json.loads(self.rfile.read(int(size)))
             if not isinstance(posted, dict):
-                raise ValueError("what is sent is an object")
+                raise ValueError("the request must be a JSON object")
             with self.server.one_at_a_time:
                 answer = self.server.context.run(self.server.receive, cast(dict[str, Any], posted))
         except (ValueError, RecursionError) as error:

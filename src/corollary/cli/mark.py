@@ -273,7 +273,7 @@ def _points(text: str, where: str) -> float | None:
     try:
         return float(text.strip().replace(",", "."))
     except ValueError:
-        refuse(f"{where}: {text} is no number of points")
+        refuse(f"{where}: {text} is not a number of points")
 
 
 def _who() -> str:

@@ -31,10 +31,12 @@ NO_TOPIC = "exercises"
 
 def run(code: str, name: str, like: str | None, bank: Path | None, as_json: bool) -> int:
     if not CODE.match(code):
-        refuse(f"{code} is no code; use letters and digits, parted by points, such as Q1 or X12.5")
+        refuse(
+            f"{code} is not a valid code; use letters and digits, separated by points, such as Q1 or X12.5"
+        )
     if (words := NAME.match(name)) is None:
         refuse(
-            f"{name} is no name for a file; use letters, digits and _, such as sliding_box, or topic/sliding_box"
+            f"{name} is not a valid file name; use letters, digits and _, such as sliding_box, or topic/sliding_box"
         )
     topic, stem = words.groups()
     place = _place(bank)
@@ -75,7 +77,7 @@ def _place(bank: Path | None) -> Bank:
         refuse("a problem goes into one bank; name it with --bank")
     if not named and not (Path.cwd() / "problems").is_dir():
         refuse(
-            "the working folder is no bank: it has no folder problems/; say with --bank FOLDER where the problem goes "
+            "the working folder is not a bank: it has no folder problems/; say with --bank FOLDER where the problem goes "
             "(a folder that is not there is made)"
         )
     folder = Path(named) if named else Path.cwd()

@@ -100,12 +100,12 @@ FORMAT = TargetOption(
     ["--format", "fmt"], help="text when left out; one of:", shell_complete=FORMATS, exercises=True
 )
 WAYS = ["exchange", "folder", "zip", "mail", "moodle", "canvas"]
-WAY_OUT = click.Option(["--to"], required=True, type=click.Choice(WAYS), help="The way out.")
+WAY_OUT = click.Option(["--to"], required=True, type=click.Choice(WAYS), help="The means of release.")
 WHAT_CAME = click.Argument(
-    ["files"], nargs=-1, required=True, type=PATH, metavar="FILE|FOLDER...", help="What the LMS gave."
+    ["files"], nargs=-1, required=True, type=PATH, metavar="FILE|FOLDER...", help="Files from the LMS."
 )
 VARIANTS = click.Option(
-    ["--variants"], type=AT_LEAST_1, default=100, help="How many variants to walk for each problem."
+    ["--variants"], type=AT_LEAST_1, default=100, help="How many variants to check for each problem."
 )
 # Not the course's setting: its cluster marks, and may not have the bank that is written on.
 VERIFYING_CLUSTER = click.Option(
@@ -117,7 +117,7 @@ SOLUTION = flag("--solution", "Add the worked solution.")
 ISOLATION = click.Option(
     ["--require-isolation", "require"],
     type=click.IntRange(0, 3),
-    help="Refuse to run foreign code below this isolation level; 1 when left out.",
+    help="Refuse to run students' code below this isolation level; 1 when left out.",
 )
 # What a notebook is run with, and where.
 RUNNING = (
@@ -125,16 +125,16 @@ RUNNING = (
     click.Option(
         ["--jobs"],
         type=AT_LEAST_1,
-        help="How many to mark side by side; as many as there are cores when left out.",
+        help="The number of parallel processes; the number of cores when left out.",
     ),
-    click.Option(
-        ["--executor"], default="", metavar="tcp://HOST:PORT", help="Mark on this Dask cluster instead."
-    ),
+    click.Option(["--executor"], default="", metavar="tcp://HOST:PORT", help="Mark on this Dask cluster."),
 )
 # How a person marks.
 MARKING = (
-    click.Option(["--all", "everything"], is_flag=True, help="Also what the program marked."),
-    flag("--names", "Show whose the answers are."),
+    click.Option(
+        ["--all", "everything"], is_flag=True, help="Include answers that were marked automatically."
+    ),
+    flag("--names", "Show the students' names."),
     flag("--terminal", "Mark in the terminal instead."),
     several("--set", "given", "Give a mark: ada/X12.11c=1.5"),
     several("--accept", "accepted", "Give all points to a group of near misses, by its id in the report"),
@@ -155,12 +155,12 @@ PLAYED = (
     click.Option(
         ["--settings", "explained"],
         is_flag=True,
-        help="Play nothing: tell what the scene takes, with units, values when left out, and ranges.",
+        help="List the scene's settings instead, with units, defaults, and ranges.",
     ),
 )
 # A page on this machine.
 PAGE = (
-    flag("--no-browser", "Print the page's address, and open nothing."),
+    flag("--no-browser", "Print the page's address, and do not open a browser."),
     click.Option(
         ["--port"], type=click.IntRange(0, 65535), default=0, help="The page's port; any when left out."
     ),
@@ -173,15 +173,15 @@ EXPORTED_MARKS = (
     click.Option(
         ["--round", "decimals"],
         type=click.IntRange(0, 9),
-        help="Marks: at most so many decimals; 2 when left out.",
+        help="Marks: at most this many decimals; 2 when left out.",
     ),
     click.Option(
         ["--out-of"],
         type=click.FloatRange(min=0, min_open=True),
-        help="Marks: scaled, so that this is all of them.",
+        help="Marks: scaled to this total.",
     ),
-    text("--blank", "Marks: what stands where there is none; nothing when left out."),
-    path("--template", text="A file that the LMS exported: it is filled in, and stays as it is otherwise."),
+    text("--blank", "Marks: text for a missing mark; empty when left out."),
+    path("--template", text="A file exported by the LMS: only the marks are filled in."),
     several("--column", "headings", "The template's column to fill in, where its title does not say which"),
 )
 # How sheets are printed, and marks written.
@@ -190,7 +190,7 @@ PRINTED_AND_MARKED = (
     click.Option(
         ["--forms"],
         type=click.IntRange(1, 700),
-        help="pdf: so many forms (A, B, C, …) with distinct numbers, for whoever sits there.",
+        help="pdf: this many forms (A, B, C, …) with distinct numbers, not tied to students.",
     ),
     flag("--formula-sheet", "pdf: end each sheet with the laws that the set uses."),
     flag("--large-print", "pdf: letters of 18 points."),
@@ -207,16 +207,18 @@ EXTENDED = (
 # What a new problem is called, and what it begins as.
 NEW = (
     click.Argument(["code"], help="The new problem's code: Q1"),
-    click.Argument(["name"], help="What its files are called: sliding_box, or topic/sliding_box"),
+    click.Argument(["name"], help="The name of its files: sliding_box, or topic/sliding_box"),
     text("--like", "Copy this problem of the bank, or of the chapter.", CODES),
 )
 # Which problems are listed, and in which order.
 LISTED = (
     several("--topic", "topic", "Only problems of this topic", TOPICS),
     several("--type", "kind", "Only problems with an answer of this type: value, choice, explain, …"),
-    flag("--person", "Only problems with a part that a person must read."),
+    flag("--person", "Only problems with a part that a person must mark."),
     click.Option(
-        ["--sort"], type=click.Choice(["code", "title", "topic", "parts", "variants"]), help="By what."
+        ["--sort"],
+        type=click.Choice(["code", "title", "topic", "parts", "variants"]),
+        help="The column to sort by.",
     ),
 )
 # What of a set is exported, and as what.
@@ -242,15 +244,15 @@ AUDITED = (
     click.Argument(["files"], nargs=-1, required=True, metavar="FILE…", help="Records, or files of a bank."),
     path("--laws", text="The laws for exercises of a bank, by their id: a file of records without answers."),
     BANK,
-    path("--report", text="Write a page to send to whoever keeps the bank."),
+    path("--report", text="Write a page for the bank's maintainer."),
     click.Option(
-        ["--run", "running"], is_flag=True, help="Also run each server.py of PrairieLearn, in isolation."
+        ["--run", "running"], is_flag=True, help="Also run each server.py of PrairieLearn, isolated."
     ),
     click.Option(
         ["--seeds"],
         type=AT_LEAST_1,
         default=5,
-        help="At how many seeds each server.py is run; 5 when left out.",
+        help="The number of seeds for each server.py; 5 when left out.",
     ),
     ISOLATION,
 )

@@ -73,7 +73,7 @@ def answered(found: Practice, posted: dict[str, Any]) -> str:
     try:
         ask, code, turn = posted["ask"], str(posted["code"]), int(posted["turn"])
         if not 0 <= turn < MOST_TURNS:
-            raise ValueError("there are not so many turns")
+            raise ValueError("there are not that many turns")
         if ask == "motion":
             return json.dumps(_motion(found, code, turn))
         return json.dumps(ANSWERS[ask](found.pose(code, turn), posted))

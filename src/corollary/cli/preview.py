@@ -33,7 +33,7 @@ def run(code: str, bank: Path | None, no_browser: bool, port: int) -> int:
 
 
 def _takes_nothing(posted: dict[str, Any]) -> None:
-    raise ValueError("this page sends nothing")
+    raise ValueError("this page takes no requests")
 
 
 def previewed(place: Bank, path: Path) -> str:

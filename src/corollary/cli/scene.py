@@ -31,7 +31,7 @@ def run(
         return _list(place, as_json)
     if explained:
         if settings:
-            refuse("--settings only tells what the scene takes; leave out --set")
+            refuse("--settings only lists what the scene takes; leave out --set")
         return _explain(place, name, as_json)
     chosen = _chosen(settings)
     begin = time.perf_counter()

@@ -46,7 +46,7 @@ def say_renewals(found: Renewals) -> None:
     """For whom a new sheet would be another one, and who keeps theirs in any case."""
     if found.sheets:
         say(
-            f"{named([each.student for each in found.sheets])}: the sheet of today in the place of the one they have"
+            f"{named([each.student for each in found.sheets])}: the corrected sheet in place of the one they have"
         )
     for each in found.sheets:
         if each.other:

@@ -64,7 +64,7 @@ def _chosen(scenes: Sequence[str]) -> list[RacedScene]:
     for name in scenes:
         if not any(name in (case.name, case.ready) for case in known):
             names = dict.fromkeys([case.ready for case in known] + [case.name for case in known])
-            refuse(f"there is no race on a scene called {name!r}; there are {', '.join(names)}")
+            refuse(f"no trade is measured for a scene called {name!r}; choose one of {', '.join(names)}")
     return [case for case in known if not scenes or case.name in scenes or case.ready in scenes]
 
 

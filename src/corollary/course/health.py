@@ -84,7 +84,7 @@ def _rights(folder: Path) -> Iterator[Finding]:
         if place.is_dir() and not os.access(place, os.R_OK | os.W_OK | os.X_OK):
             yield Finding("rights", "broken", f"{place} cannot be written in by you", f"chmod u+rwx {place}")
         elif place.exists() and not place.is_dir():
-            yield Finding("rights", "broken", f"{place} is no folder", "move it away")
+            yield Finding("rights", "broken", f"{place} is not a folder", "move it away")
 
 
 def _work(course: Course) -> Iterator[Finding]:

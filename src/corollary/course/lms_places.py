@@ -105,7 +105,7 @@ def _names(file: Path) -> Iterable[LmsName]:
             with zipfile.ZipFile(file) as archive:
                 names = archive.namelist()
         except (zipfile.BadZipFile, OSError, ValueError) as error:
-            raise NoPlaces(f"{file} is no archive that can be opened ({error})") from None
+            raise NoPlaces(f"{file} is not an archive that can be opened ({error})") from None
     for name in names:
         parts = [part for part in name.split("/") if part]
         if parts and (found := lms_name(parts)) is not None:

@@ -114,7 +114,7 @@ def identified(
 
     if member.content is None:
         packed = member.name.lower().endswith(PACKED)
-        what = "is an archive of a kind that is not opened; unpack it, or" if packed else "is no notebook;"
+        what = "is an archive of a kind that is not opened; unpack it, or" if packed else "is not a notebook;"
         whose = f" ({_one_of(lms, namesakes)})" if lms and namesakes else ""
         return left(
             by_place, UNUSABLE if by_place else NOBODY, f"{what} ask for {problem_set.name}.ipynb{whose}"

@@ -185,7 +185,9 @@ class Known:
             if not ways or any(all(holds(one, each.exact) for one in way) for way in ways)
         ]
         if not fitting:
-            raise ValueError(f"it holds for none of {len(variants)} draws; mend its condition, or the ranges")
+            raise ValueError(
+                f"it holds for none of {len(variants)} draws; correct its condition, or the ranges"
+            )
         self._points = [point(variant, givens) for variant in fitting[:POINTS]]
 
     def copied(self) -> Known:
@@ -273,7 +275,7 @@ class Known:
         found = self.with_asides(sympy.sympify(stated))
         if strange := found.free_symbols - self.givens:
             names = ", ".join(sorted(map(str, strange)))
-            raise ValueError(f"{names} is neither given nor found before by a formula")
+            raise ValueError(f"{names} is neither given nor derived before")
         return found
 
     def relation_in_givens(self, text: str) -> Relation:
@@ -281,9 +283,9 @@ class Known:
         stated = author_formula(text)
         found = {symbol.name: tree(formula) for symbol, formula in (self.formulas | self.aside).items()}
         if not isinstance(stated, Relation):
-            raise ValueError(f"{text} compares nothing; write a relation with <, <=, >, >= or !=")
+            raise ValueError(f"{text} is not a comparison; write a relation with <, <=, >, >= or !=")
         if strange := names(stated) - found.keys() - {"pi"}:
-            raise ValueError(f"{', '.join(sorted(strange))} is neither given nor found before by a formula")
+            raise ValueError(f"{', '.join(sorted(strange))} is neither given nor derived before")
         return Relation(stated.sign, put_in(stated.left, found), put_in(stated.right, found))
 
     def tree_in_givens(self, expression: object) -> Expr:

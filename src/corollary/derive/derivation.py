@@ -206,6 +206,6 @@ def _relation(part: Any, whole: object) -> Relation:
 
 def _refused(condition: object) -> str:
     return (
-        f"{condition} is no condition of a case; write relations, such as mu > tan(alpha), "
+        f"{condition} is not a condition of a case; write relations, such as mu > tan(alpha), "
         "alone or joined by And, Or and Not"
     )

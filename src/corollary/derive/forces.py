@@ -63,7 +63,7 @@ def angle_of(way: Any, slope: sympy.Expr | None) -> sympy.Expr:
     if not isinstance(way, str):
         return sympy.sympify(way)
     if way not in DEGREES:
-        raise ValueError(f"{way!r} is no direction; there are {', '.join(DEGREES)}, and angles")
+        raise ValueError(f"{way!r} is not a direction; choose one of {', '.join(DEGREES)}, and angles")
     if of_a_slope(way) and slope is None:
         raise ValueError(
             f'{way!r} needs the angle of the slope: add slope="alpha" to the heading of the part'

@@ -72,7 +72,7 @@ class _Elimination:
             if not found:
                 names = ", ".join(sorted(f"{each}" for each in waiting.values()))
                 raise ValueError(
-                    f"these laws do not tell {names}; state one differential equation for each function"
+                    f"these laws do not determine {names}; state one differential equation for each function"
                 )
             for each in found:
                 del waiting[each.applied.func]
@@ -91,7 +91,7 @@ class _Elimination:
                 in_givens = self.known.in_givens(inside)
                 if isinstance(node, sympy.Derivative) and not in_givens.has(over):
                     raise ValueError(
-                        f"{inside} does not depend on {over}, so that its derivative says nothing; "
+                        f"{inside} does not depend on {over}, so its derivative is zero; "
                         f'make it a function: {inside} = function("{inside}", {over})'
                     )
                 side = side.xreplace({node: node.func(in_givens, *node.args[1:])})
@@ -226,11 +226,11 @@ class _Elimination:
                 if self._holds(sides[0] - sides[1]):
                     continue  # it only repeats what has been found
                 name = next(iter(strange))
-                raise ValueError(f"{name} is no number here; say where, as in {self.functions[0].name}(0)")
+                raise ValueError(f"{name} is not a number here; say where, as in {self.functions[0].name}(0)")
             left.append((sides[0], sides[1]))
         if len(left) < len(self.unknowns) and (solved := [each for each in self.functions if each.form]):
             raise ValueError(
-                f"too few laws; say besides how {solved[0].name} begins, such as {solved[0].name}(0) = …"
+                f"too few laws; add the initial value of {solved[0].name}, such as {solved[0].name}(0) = …"
             )
         return left
 

@@ -32,7 +32,10 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int
     """What does not fit between the parts and the entries: a sentence, and the line of the entry it is about (or 0)."""
     for entry in derivation.entries:
         if not isinstance(entry, ENTRIES):  # pyright: ignore[reportUnnecessaryIsInstance]
-            yield f"derivation(…) holds {entry!r}, which is no entry; use step(…), choice(…), explain(…)", 0
+            yield (
+                f"derivation(…) holds {entry!r}, which is not an entry; use step(…), choice(…), explain(…)",
+                0,
+            )
             return
     ids = {part.id for part in problem.parts}
     for entry in derivation.entries:

@@ -141,7 +141,7 @@ def _named(name: str, bank: Bank | Path | None) -> ReadyScene:
     scenes = ready_scenes(bank)
     if name not in scenes:
         raise BadSetting(
-            f"There is no scene {name!r}{did_you_mean(name, scenes)}; there are {', '.join(scenes)}."
+            f"There is no scene {name!r}{did_you_mean(name, scenes)}; choose one of {', '.join(scenes)}."
         )
     return scenes.loaded(name)
 

@@ -165,7 +165,7 @@ def pick(
             left.append(root)
     for entry in rejected:
         if not any(_is(root, entry.root, points) for root in found):
-            raise NoRoot(f"the root to reject ({entry.reason}) is no root of the laws")
+            raise NoRoot(f"the root to reject ({entry.reason}) is not a root of the laws")
     found_fit = [
         [where] * len(points) if isinstance(where, bool) else [_holds(where, root, point) for point in points]
         for root in left

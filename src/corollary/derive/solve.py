@@ -67,7 +67,7 @@ def solved_choice(entry: Choice[Boolean | bool], part: Part, known: Known) -> So
     letters = {option.letter for option in part.options}
     if letters != entry.options.keys():  # pyright: ignore[reportUnnecessaryComparison]
         raise ValueError(
-            f"its options are {', '.join(sorted(letters))}; give each of them, and no other, its condition"
+            f"its options are {', '.join(sorted(letters))}; give a condition for each of them, and for no other"
         )
     options: dict[str, Ways] = {}
     for letter, condition in entry.options.items():
@@ -380,7 +380,7 @@ class Solver:
         bank = bank_of(self.problem)
         scenes = ready_scenes(bank)
         if entry.scene not in scenes:
-            raise NoRoot(f"there is no scene {entry.scene}; there are {', '.join(scenes)}")
+            raise NoRoot(f"there is no scene {entry.scene}; choose one of {', '.join(scenes)}")
         known = scenes[entry.scene].settings
         if strange := entry.settings.keys() - {setting.name for setting in known}:
             raise NoRoot(f"scene {entry.scene} has no setting {', '.join(sorted(strange))}")

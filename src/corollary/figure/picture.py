@@ -143,7 +143,7 @@ def address(path: Path) -> str:
     """The picture of a file as a data URI; of an SVG, what can neither run nor fetch. Raises NotAPicture."""
     kind = KINDS.get(path.suffix.lower())
     if kind is None:
-        raise NotAPicture(f"is no picture: there are {', '.join(KINDS)}")
+        raise NotAPicture(f"is not a picture: there are {', '.join(KINDS)}")
     try:
         raw = path.read_bytes()
     except OSError as error:
@@ -159,7 +159,7 @@ def checked(written: str) -> str:
     try:
         return _address(found["kind"], base64.b64decode(found["data"], validate=True), sheet=False)
     except binascii.Error:
-        raise NotAPicture("is no base64") from None
+        raise NotAPicture("is not base64") from None
 
 
 def content(written: str) -> tuple[str, bytes]:
@@ -199,7 +199,7 @@ def _drawing(raw: bytes) -> str:
             )
         safe = safe_svg(text)
     except UnicodeDecodeError:
-        raise NotAPicture("is no text in UTF-8") from None
+        raise NotAPicture("is not text in UTF-8") from None
     except NotADrawing as error:
         raise NotAPicture(f"cannot be shown: {error}") from None
     return alone(safe)

@@ -53,7 +53,7 @@ def as_expression(value: object) -> sympy.Expr:
         case _:
             pass
     if not isinstance(found, sympy.Expr):
-        raise TypeError(f"{value!r} is no number and no formula")
+        raise TypeError(f"{value!r} is neither a number nor a formula")
     _refuse_unreal(found)
     return cast(sympy.Expr, exact(found))
 
@@ -67,7 +67,7 @@ def as_condition(value: object) -> Boolean | bool:
         return value
     if not isinstance(value, sympy.core.relational.Relational | BooleanFunction):
         raise TypeError(
-            f"{value!r} is no condition; write a relation, such as F > mu*N, or several as And(…, …)"
+            f"{value!r} is not a condition; write a relation, such as F > mu*N, or several as And(…, …)"
         )
     _refuse_unreal(value)
     return cast(Boolean, exact(value))
@@ -78,7 +78,7 @@ def _refuse_unreal(found: sympy.Basic) -> None:
     if found.has(sympy.nan, sympy.zoo) or (
         found.has(sympy.oo, -sympy.oo) and found not in (sympy.oo, -sympy.oo)
     ):
-        raise NotTyped(f"{found} holds what is no number (a division by zero, an infinity or a NaN)")
+        raise NotTyped(f"{found} holds what is not a number (a division by zero, an infinity or a NaN)")
     if found.has(sympy.I):
         raise NotTyped(f"{found} is complex, and every quantity here is real")
     if found.has(sympy.Piecewise):

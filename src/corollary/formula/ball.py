@@ -286,7 +286,7 @@ def holds(relation: Relation, values: Values) -> bool | None:
         case ">=":
             return found >= 0
         case other:
-            raise ValueError(f"{other} compares nothing; use = != < <= > >=")
+            raise ValueError(f"{other} is not a comparison; use = != < <= > >=")
 
 
 # By identity, as programs are kept: a condition is asked of every draw. The relation is held, so its id stays its own.

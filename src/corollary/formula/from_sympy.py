@@ -64,7 +64,7 @@ def relation(condition: Boolean) -> Relation:
     for kind, sign in SIGNS.items():
         if isinstance(condition, kind):
             return Relation(sign, tree(condition.lhs), tree(condition.rhs))  # type: ignore[attr-defined]
-    raise NoTree(f"{condition} is no relation")
+    raise NoTree(f"{condition} is not a relation")
 
 
 def _call(row: Function, arguments: list[Expr]) -> Expr:

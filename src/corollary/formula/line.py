@@ -65,10 +65,10 @@ def unexpected(line: Line) -> NoReturn:
         case "end":
             refuse(_("the formula stops too early"), token.at)
         case "comma":
-            refuse(_("a comma has no place here"), token.at, _("write decimals with a point, such as 1.5"))
+            refuse(_("a comma does not belong here"), token.at, _("write decimals with a point, such as 1.5"))
         case "compare" if line.student:
             refuse(
-                _("{text} has no place here", text=token.text),
+                _("{text} does not belong here", text=token.text),
                 token.at,
                 _("write only the right side, one formula"),
             )
@@ -77,4 +77,4 @@ def unexpected(line: Line) -> NoReturn:
         case "close":
             refuse(_("this bracket closes nothing"), token.at)
         case _:
-            refuse(_("{text} has no place here", text=token.text), token.at)
+            refuse(_("{text} does not belong here", text=token.text), token.at)

@@ -67,11 +67,11 @@ def read_operators(tree: Expr, letters: Collection[str], functions: Collection[s
             return Call(VALUE, (Name(function), within(argument)))
         case Call(function, _) if function in letters:
             raise ValueError(
-                f"{function}(…): {function} is no function; write * for a product, "
+                f"{function}(…): {function} is not a function; write * for a product, "
                 f'or say what it depends on: {function} = function("{function}", t)'
             )
         case Call(function, _) if function not in FUNCTIONS:
-            raise ValueError(f"{function}(…) is no function here; write * for every product")
+            raise ValueError(f"{function}(…) is not a function here; write * for every product")
         case _:
             return rebuilt(tree, tuple(map(within, children(tree))))
 

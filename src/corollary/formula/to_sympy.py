@@ -49,6 +49,6 @@ def expression(tree: Expr, meaning: Mapping[str, sympy.Expr]) -> sympy.Expr:
             apply = getattr(sympy, named) if isinstance(named, str) else named
             return apply(*(expression(argument, meaning) for argument in arguments))
         case Relation():
-            raise TypeError("a relation is no expression; take its sides")
+            raise TypeError("a relation is not an expression; take its sides")
         case _:
             assert_never(tree)

@@ -93,7 +93,7 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
         part, one, other = same
         return None, f"part {part}: options {one} and {other} print alike"
     for part, number in not_whole(key):
-        return None, f"part {part}: {number} is no whole number, and a count is asked for"
+        return None, f"part {part}: {number} is not a whole number, and a count is asked for"
     for part, number in implausible(key):
         return None, f"part {part}: {number} is not plausible"
     for part, text in collisions(key):

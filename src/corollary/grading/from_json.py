@@ -39,7 +39,7 @@ def from_json(answer: object) -> Value:
             named = cast("dict[str, object]", answer)
             return Named(tuple(map(str, named)), tuple(map(from_json, named.values())))
         case _:
-            return Refused(_("is of a kind that no answer has"), type(answer).__name__)
+            return Refused(_("has a type that no answer can have"), type(answer).__name__)
 
 
 def finite(value: float) -> float | str:

@@ -156,7 +156,7 @@ def only_laws(stated: Iterable[Law]) -> tuple[Law, ...]:
     found = tuple(stated)
     for each in found:
         if not isinstance(each, Law):  # pyright: ignore[reportUnnecessaryIsInstance]
-            raise TypeError(f'{each!r} is no law; state one, such as law("Momentum", "p = m*v")')
+            raise TypeError(f'{each!r} is not a law; state one, such as law("Momentum", "p = m*v")')
     return found
 
 

@@ -41,7 +41,7 @@ class BoundedExtractor(ExtractorPlugin):
 
     def _put(self, member: Member, number: int, folder: Path) -> None:
         if not isinstance(member.content, bytes):
-            why = "is no notebook" if member.content is None else member.content.in_english
+            why = "is not a notebook" if member.content is None else member.content.in_english
             self.log.warning("%s %s, and is left out", writable(member.name), why)
             return
         place = folder.joinpath(*map(file_name, member.parts))

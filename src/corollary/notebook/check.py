@@ -136,7 +136,7 @@ class Check:
                 return _("no answer yet: a number with its unit stands in quotes: {line}", line=line)
             return _("no answer yet: a formula, a letter or a word stands in quotes: {line}", line=line)
         if error := self._stopped.get(name):
-            return _("no answer yet: its cell stopped with {error}; mend it and run it again", error=error)
+            return _("no answer yet: its cell stopped with {error}; correct it and run it again", error=error)
         if older is None and self._space.get(name) is not None:
             return ""
         for other in self._space:

@@ -155,7 +155,7 @@ def _opening(key: Key, left: Remaining, place: int) -> str:
             count=_steps(after),
         )
     return _(
-        "Something that nobody asks for comes first; call it {found}. From there it is {count} more.",
+        "First find a quantity that is not asked for; call it {found}. From there it is {count} more.",
         found=", ".join(f"${letter(name)}$" for name in step.names),
         count=_steps(after),
     )

@@ -157,7 +157,9 @@ def practice(bank: Bank, wanted: Sequence[str] = (), left_out: Set[str] = frozen
     words = {word for each in problems for word in (each.code, each.name, each.topic)}
     if strange := [word for word in wanted if word not in words]:
         topics = ", ".join(sorted({each.topic for each in problems}))
-        raise LookupError(f"{strange[0]} is no problem and no topic of this bank; its topics are {topics}")
+        raise LookupError(
+            f"{strange[0]} is neither a problem nor a topic of this bank; its topics are {topics}"
+        )
     chosen = [
         each
         for each in problems

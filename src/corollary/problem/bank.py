@@ -126,9 +126,11 @@ def _folder(name: str) -> Path:
                 return package
         raise fault(installed[name], "the bank", "it has no folder problems/")
     if folder.is_dir():
-        raise UnknownCode(f"{folder} is no bank: it has no folder problems/")
+        raise UnknownCode(f"{folder} is not a bank: it has no folder problems/")
     have = ", ".join([CHAPTER, *sorted(installed)])
-    raise UnknownCode(f"{folder} is no bank: it has no folder problems/, and the banks installed are {have}")
+    raise UnknownCode(
+        f"{folder} is not a bank: it has no folder problems/, and the banks installed are {have}"
+    )
 
 
 def _folders_of(entry: EntryPoint) -> list[Path]:

@@ -53,7 +53,7 @@ def relations(text: str, units: Mapping[str, Unit]) -> list[tuple[Relation, str]
     ]
     if not found:
         author_formula(text)  # what is wrong with it is said first
-        raise ValueError("it compares nothing; write a relation with <, <=, >, >= or !=")
+        raise ValueError("it is not a comparison; write a relation with <, <=, >, >= or !=")
     return found
 
 
@@ -71,7 +71,7 @@ def _relation(text: str, units: Mapping[str, Unit]) -> tuple[Relation, str]:
     if unknown := sorted(names(tree) - units.keys() - quantities.keys() - {"pi"}):
         raise ValueError(f"{unknown[0]} is not among the givens ({', '.join(sorted(units))})")
     if not names(tree) & units.keys():
-        raise ValueError("it is about none of the givens; leave it out")
+        raise ValueError("it contains none of the givens; leave it out")
     measured = {name: its_unit.dimension for name, its_unit in units.items()}
     measured |= {name: its_unit.dimension for name, (_value, its_unit) in quantities.items()}
     if isinstance(misfit := dimension_of(tree, measured), ParseError):

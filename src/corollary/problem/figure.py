@@ -114,7 +114,7 @@ class _Reading:
         kind, _, rest = text.partition(" ")
         if kind != PANEL and kind not in PRIMITIVES:
             raise ValueError(
-                f"there is no `{kind}`{_meant(kind, PRIMITIVES)}; there are {', '.join(sorted(PRIMITIVES))}"
+                f"there is no `{kind}`{_meant(kind, PRIMITIVES)}; choose one of {', '.join(sorted(PRIMITIVES))}"
             )
         texts, words, bare = self._tokens(rest)
         if kind == PANEL:
@@ -187,7 +187,7 @@ class _Reading:
     def _over(self, value: str) -> tuple[str, Number, Number]:
         letter, *bounds = _split(value)
         if len(bounds) != 2 or not NAME.match(letter) or letter in self.dimensions:
-            raise ValueError("over= needs a letter that is no given, and from where to where: over=s,0,1")
+            raise ValueError("over= needs a letter that is not a given, and from where to where: over=s,0,1")
         (low, dimension), (high, _other) = self._formula(bounds[0]), self._formula(bounds[1])
         self.letters = {**self.dimensions, letter: dimension or _other or ONE}
         return letter, low, high
@@ -199,7 +199,7 @@ class _Reading:
         parts = _split(inner)
         if len(parts) != 2:
             raise ValueError(
-                f"{word}={value} is no place; write two coordinates, {word}=0,h, or a name, {word}=A.top"
+                f"{word}={value} is not a place; write two coordinates, {word}=0,h, or a name, {word}=A.top"
             )
         return self._measured(word, parts[0]), self._measured(word, parts[1])
 

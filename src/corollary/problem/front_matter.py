@@ -189,7 +189,7 @@ def _node(
                     entries[name] = _node(path, value, complaints, what, first, depth + 1)
             return TableNode(entries, line)
         case _:
-            complaints.append(Diagnostic(path, line, "this kind of YAML node has no meaning here"))
+            complaints.append(Diagnostic(path, line, "this kind of YAML node is not supported here"))
             return TextNode("", line)
 
 

@@ -34,7 +34,7 @@ def read_given(
     before = len(complaints)
     row = Reader(path, node, symbol, complaints)
     if not SYMBOL.match(symbol):
-        row.complain(node.line, f"{symbol!r} is no symbol; use a letter, then letters, digits or _")
+        row.complain(node.line, f"{symbol!r} is not a symbol; use a letter, then letters, digits or _")
     elif symbol in RESERVED:
         whose = (
             "is a function in formulas"

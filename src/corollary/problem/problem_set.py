@@ -341,7 +341,7 @@ def _date(front: Reader, name: str, usual: Usual) -> datetime | None:
     text, line = front.line_of(name, "")
     found = moment(text, usual.zone, end_of_day=name == "due")
     if text and found is None:
-        front.complain(line, f"{name}: {text} is no moment; {HOW_TO_WRITE}")
+        front.complain(line, f"{name}: {text} is not a date or time; {HOW_TO_WRITE}")
     return found
 
 

@@ -44,7 +44,8 @@ def read_problem(path: Path) -> Problem:
         raise Malformed([Diagnostic(path, 1, alone)])
     if code and not CODE.match(code):
         front.complain(
-            code_line, f"code: {code} is no code; use letters and digits, parted by points, such as X12.5"
+            code_line,
+            f"code: {code} is not a valid code; use letters and digits, separated by points, such as X12.5",
         )
     rows = front.table_of("given").entries
     givens = tuple(
@@ -165,7 +166,7 @@ def _constant(
     symbol = node.text.strip() if isinstance(node, TextNode) else ""
     found = CONSTANTS.get(symbol)
     if found is None:
-        sentence = f"constants: {symbol or 'this'} is not known; there are {', '.join(CONSTANTS)}"
+        sentence = f"constants: {symbol or 'this'} is not known; choose one of {', '.join(CONSTANTS)}"
         complaints.append(Diagnostic(path, node.line, sentence))
         return None
     if symbol in known:

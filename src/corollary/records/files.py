@@ -87,7 +87,7 @@ def open_course(folder: Path) -> Course:
         key = (folder / ".corollary" / "key").read_bytes()
     except FileNotFoundError:
         raise NotACourse(
-            f"{folder} is no course of ours: it has no .corollary/key; make one with corollary generate"
+            f"{folder} is not a course of Corollary: it has no .corollary/key; make one with corollary generate"
         ) from None
     except OSError as error:
         raise NotACourse(f"the key of the course in {folder} cannot be read: {error.strerror}") from None
@@ -119,7 +119,7 @@ def students(course: Course) -> tuple[Student, ...]:
     for line, row in rows[1:]:
         if len(row) != len(headings) or not row[places[0]] or OUTSIDE.search(row[places[0]]):
             raise NotACourse(
-                f"the roster of {course.folder} is damaged: {path}:{line}: {', '.join(row)} is no student; "
+                f"the roster of {course.folder} is damaged: {path}:{line}: {', '.join(row)} is not a student; "
                 "generate again with --roster"
             )
         name, first, last, email = (row[at] for at in places)
@@ -136,7 +136,7 @@ def find_student(course: Course, name: str) -> Student:
             return each
     if meant := ids_of(name, everybody):
         raise UnknownStudent(
-            f"{name} is no id on the roster of {course.folder}; did you mean {' or '.join(meant)}?"
+            f"{name} is not an id on the roster of {course.folder}; did you mean {' or '.join(meant)}?"
         )
     hint = did_you_mean(name, (each.id for each in everybody))
     raise UnknownStudent(

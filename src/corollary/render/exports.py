@@ -112,7 +112,7 @@ def target(name: str) -> Target:
         )
     found = load(theirs, "the export")
     if not isinstance(found, Target):
-        raise fault(theirs, "the export", "it is no corollary.render.exports.Target")
+        raise fault(theirs, "the export", "it is not a corollary.render.exports.Target")
     return found
 
 

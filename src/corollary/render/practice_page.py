@@ -157,5 +157,5 @@ def _words() -> dict[str, str]:
         "days": _("{count} days"),
         "done": _("{done} of {count} solved"),
         "noneDue": _("Nothing is due and nothing new is left; choose any problem."),
-        "notKept": _("This browser keeps nothing for this page: your progress is lost when it is closed."),
+        "notKept": _("This browser stores nothing for this page: your progress is lost when it is closed."),
     }

@@ -210,7 +210,7 @@ def _opened(file: IO[bytes], most: int) -> zipfile.ZipFile | Unreadable:
     except (
         Exception
     ) as error:  # of whatever kind: the bytes are a stranger's, and zipfile says so in a dozen ways
-        return Unreadable(f"is no archive that can be opened{_reason(error)}")
+        return Unreadable(f"is not an archive that can be opened{_reason(error)}")
     if (count := len(archive.infolist())) > most:
         archive.close()
         return Unreadable(f"holds {count} files, more than {most}, so it was not read")

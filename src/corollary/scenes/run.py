@@ -78,7 +78,7 @@ MEANING: dict[Observable, str] = {
     Observable.TURNING_POINTS: "the smallest and the largest of the distances from the origin at which the first body turns back (m): one if "
     "they are the same, none if it never does; twice its distance if that does not change by more than steps may be off, as on a circle",
     Observable.PERIOD: "time between two returns of the first body's distance to its smallest value (s)",
-    Observable.IMPULSE: "of all forces on each body that is no wall, from start to end: its change of momentum (kg m/s)",
+    Observable.IMPULSE: "of all forces on each body that is not a wall, from start to end: its change of momentum (kg m/s)",
     Observable.MOMENTUM: "of all bodies that are no walls together, at the end (kg m/s)",
     Observable.ENERGY: "kinetic energy, and potential energy of every force that has one, at the end (J); zero as each force defines it",
     Observable.TRAJECTORY: "places of all bodies, body after body, at each of the times asked for, time after time (m); looked up within "

@@ -272,7 +272,7 @@ def _refuse_values(scene: str, force: object) -> None:
         numbers = cast("tuple[object, ...]", value) if isinstance(value, tuple) else (value,)
         if any(isinstance(x, float) and math.isnan(x) for x in numbers):
             raise BadSetting(
-                f"{scene}: {type(force).__name__} with {each.name} = {short_text(value)}: that is no number."
+                f"{scene}: {type(force).__name__} with {each.name} = {short_text(value)}: that is not a number."
             )
     try:
         hash(force)

@@ -43,7 +43,7 @@ class Dimension:
         for factor in base_units.split():
             name, _, power = factor.partition("^")
             if name not in BASE and name != "1":
-                raise ValueError(f"{base_units!r} is no product of base units: use {', '.join(BASE)}")
+                raise ValueError(f"{base_units!r} is not a product of base units: use {', '.join(BASE)}")
             found = found * (cls(**{name: Fraction(power or 1)}) if name != "1" else ONE)
         return found
 

@@ -311,7 +311,7 @@ def _factors(
         if mark["sign"] == "/":
             if (ready and certain) or floating:
                 return refused(
-                    _("this slash has no clear place"),
+                    _("it is not clear what this slash divides"),
                     at,
                     _("write one slash and brackets, such as J/(kg m)"),
                 )
@@ -337,7 +337,7 @@ def _factors(
                 )
             power = _power(marks[number - 1]["raised"] or "")
             if not power or abs(power) > LARGEST_POWER:
-                return refused(_("a bracket to this power does not occur here"), at)
+                return refused(_("a bracket to this power is not supported here"), at)
             found = [(each, its_power * power) for each, its_power in within]
         else:
             found = [(PURE, Fraction(1))] if mark["one"] else _symbol(mark["symbol"], mark["power"] or "", at)
@@ -364,7 +364,9 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
     if symbol == "e" and power_text[:1] in tuple("+-0123456789"):  # `1.5 e-3` has a blank too many
         return refused(_("{written} is not a unit known here", written=symbol + power_text), at)
     if not power or abs(power) > LARGEST_POWER:  # F0 is a letter of the problem, not a farad to the power 0
-        return refused(_("a unit to the power {power} does not occur here", power=power_text.strip("^*")), at)
+        return refused(
+            _("a unit to the power {power} is not supported here", power=power_text.strip("^*")), at
+        )
     if symbol == "ms" and power < 0:
         return ambiguous(
             _("ms can be milliseconds, or metres times seconds"), at, f"m s^{power}", _written("1/ms", -power)

@@ -69,7 +69,7 @@ NOT_READ = [
     ("numerical", answer("*"), "every answer"),
     ("numerical", answer("1") + answer("2"), "2 different answers"),
     ("multichoice", "<single>false</single>" + answer("1 N") + answer("2 N"), "several options"),
-    ("multichoice", answer("the heavier one"), "is no number"),
+    ("multichoice", answer("the heavier one"), "is not a number"),
     ("calculated", answer("{m}*{v}") + datasets(dataset("m", 1, 2)), "v is not known"),
     ("calculated", answer("{m}*round({v},1)") + MV, ""),
     ("calculated", answer("{m}*") + MV, ""),

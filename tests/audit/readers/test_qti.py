@@ -57,7 +57,7 @@ READ = [
     (FLOAT + processing(draw("a", 1, 8), draw("b", 1, 8), correct(f"<sum>{variable('a')}{variable('b')}{number(3)}</sum>")), "", "a + b + 3"),
 ]  # fmt: skip
 NOT_READ = [
-    (response("identifier", "B"), CHOICE, "is no number"),
+    (response("identifier", "B"), CHOICE, "is not a number"),
     (response("identifier", "A", "B"), CHOICE, "2 correct values"),
     (response("float", "1") + response("float", "2"), "", "2 responses"),
     (response("pair", "A B"), "", "type pair"),

@@ -172,7 +172,7 @@ def test_the_command_runs_nothing_unasked(question, monkeypatch):
     done = CliRunner().invoke(app, question)
     (only,) = json.loads(done.stdout)
     assert (only["id"], only["finding"]) == ("push", "cannot say")
-    assert "is no assignment" in only["why"]
+    assert "is not an assignment" in only["why"]
     assert "isolation" not in only
 
 

@@ -42,7 +42,7 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
     unknown = next((step for step in steps if step.undefined), None)
     if unknown is not None and ("false" not in held or unknown.line <= steps[held.index("false")].line):
         why = _(
-            "{letter} in line {line} is no letter of the problem, and no line says what it is; a person will look at it.",
+            "{letter} in line {line} is not a letter of the problem, and no line says what it is; a person will look at it.",
             letter=unknown.undefined,
             line=unknown.line,
         )
@@ -96,7 +96,7 @@ def _on_the_way(steps: Sequence[Equation], held: Sequence[str], claim: Claim, gr
         return Unmarked(_("This took too long to check; a person will look at it."), _rubric(claim))
     content = [each for each in found if each.kind not in ("definition", "empty")]
     if not content:
-        return Wrong(_("The lines say nothing: they are true whatever the quantities are."))
+        return Wrong(_("The lines are identities: they hold whatever the quantities are."))
     if not any(each.claims for each in found):
         if any(each.kind == "undecided" for each in found):
             return Unmarked(_("This could not be checked; a person will look at it."), _rubric(claim))

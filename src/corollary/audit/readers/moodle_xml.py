@@ -22,7 +22,7 @@ def moodle_records(path: Path) -> tuple[ExerciseRecord, ...]:
     root = xml_of(path)
     if root.tag != "quiz":
         raise Malformed(
-            [Diagnostic(path, 1, f"is no export of a Moodle question bank: its root is <{root.tag}>")]
+            [Diagnostic(path, 1, f"is not an export of a Moodle question bank: its root is <{root.tag}>")]
         )
     questions = [each for each in root.findall("question") if each.get("type") not in NOT_QUESTIONS]
     if len(questions) > MOST_RECORDS:
@@ -103,7 +103,7 @@ def _calculated(bare: ExerciseRecord, question: Element) -> ExerciseRecord:
             program.draw(letter, low, high)
     key = _right(question)
     if "^" in key:
-        raise NotRead("^ is no power in a formula of Moodle's, pow is")
+        raise NotRead("^ is not a power in a formula of Moodle's, pow is")
     key = unrounded(key, {"round"})
     found = program.key(WILDCARD.sub(r"\1", key))
     return replace(bare, given=found.drawn, published=(found.text,), key_unit=_unit(question))
@@ -117,5 +117,5 @@ def _choice(question: Element) -> str:
 
 def _with_digits(text: str) -> str:
     if not re.search(r"\d", text):
-        raise NotRead(f"the right answer, {text!r}, is no number")
+        raise NotRead(f"the right answer, {text!r}, is not a number")
     return text

@@ -161,7 +161,7 @@ class GenerateBody:
                     for keyword in keywords:
                         yield from self._enter(self._table(table), keyword.arg, keyword.value)
                 case _:
-                    raise NotRead(f"line {statement.lineno} of server.py is no assignment")
+                    raise NotRead(f"line {statement.lineno} of server.py is not an assignment")
 
     def _set(self, target: ast.expr, value: ast.expr) -> Iterator[GenerateSetting]:
         match target, value:
@@ -185,7 +185,7 @@ class GenerateBody:
                     name = key.value if isinstance(key, ast.Constant) and isinstance(key.value, str) else None
                     yield from self._enter(table, name, each)
             case _:
-                raise NotRead(f"line {target.lineno} of server.py is no assignment")
+                raise NotRead(f"line {target.lineno} of server.py is not an assignment")
 
     def _enter(self, table: str, name: str | None, value: ast.expr) -> Iterator[GenerateSetting]:
         if name is None:
@@ -225,7 +225,7 @@ class GenerateBody:
                         name in body.params and body._table(node.value) == "params"
                     ):
                         if name in body.texts:
-                            raise NotRead(f"params[{name!r}] is a text, which is no number in Python")
+                            raise NotRead(f"params[{name!r}] is a text, which is not a number in Python")
                         return deepcopy(body.params[name])
                     case _:
                         return node
@@ -347,7 +347,7 @@ def _right_option(element: Mapping[str, str]) -> str:
     if len(right) != 1 or "{{" in right[0]:
         raise NotRead(f"{len(right)} of its options are marked as right in question.html")
     if not re.search(r"\d", right[0]):
-        raise NotRead(f"the right option, {right[0]!r}, is no number")
+        raise NotRead(f"the right option, {right[0]!r}, is not a number")
     return right[0]
 
 
@@ -397,7 +397,7 @@ def _program(path: Path) -> tuple[StraightLine, dict[str, PublishedFormula | Not
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         why = str(error) or "it is nested too deeply"
         raise Malformed(
-            [Diagnostic(path, getattr(error, "lineno", 1) or 1, f"is no Python: {why}")]
+            [Diagnostic(path, getattr(error, "lineno", 1) or 1, f"is not Python: {why}")]
         ) from None
     names, generate = names_of(tree)
     if len(generate.args.args) != 1:

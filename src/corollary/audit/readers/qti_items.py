@@ -83,7 +83,7 @@ def _correct(item: Element, declared: Element) -> str:
     else:
         raise NotRead(f"a response of type {declared.get('baseType')} is not read")
     if not re.search(r"\d", text):
-        raise NotRead(f"the correct value, {text!r}, is no number")
+        raise NotRead(f"the correct value, {text!r}, is not a number")
     return text
 
 

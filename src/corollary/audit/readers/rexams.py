@@ -149,10 +149,10 @@ def _read(bare: ExerciseRecord, file: RFile, solution: str) -> ExerciseRecord:
         if not NUMBER.match(solution) and (
             file.meta.get("extype") == "num" or not re.match(r"[-+\d.]", solution)
         ):
-            raise NotRead(f"the solution {solution!r} is no number")
+            raise NotRead(f"the solution {solution!r} is not a number")
         return replace(bare, published=(solution,))
     if unit and not known_unit(unit):
-        raise NotRead(f"{unit!r} behind the solution is no unit")
+        raise NotRead(f"{unit!r} behind the solution is not a unit")
     if _assigns(file.text):
         raise NotRead("its text assigns something")
     program = StraightLine()
@@ -163,7 +163,7 @@ def _read(bare: ExerciseRecord, file: RFile, solution: str) -> ExerciseRecord:
             expression = (assigned[2] or assigned[3]).strip()
             program.attempt(letter, partial(_assign, program, letter, expression))
         elif not NO_ASSIGNMENT.match(statement):
-            raise NotRead(f"{statement.splitlines()[0]!r} is no assignment")
+            raise NotRead(f"{statement.splitlines()[0]!r} is not an assignment")
     key = program.key(_letters(unrounded((inline[1] or inline[2]).strip(), ROUNDS)))
     return replace(bare, given=key.drawn, published=(key.text,), worked_out=key.worked_out, key_unit=unit)
 

@@ -82,7 +82,7 @@ class StraightLine:
         self._refuse_again(letter)
         least, most = (_number(each) for each in (low, high))
         if least is None or most is None or not least < most:
-            raise NotRead(f"{letter} is drawn between {low} and {high}, which is no range of numbers")
+            raise NotRead(f"{letter} is drawn between {low} and {high}, which is not a range of numbers")
         self.drawn[letter] = StatedGiven(letter, PURE, least, most)
 
     def draw_among(self, letter: str, values: list[str]) -> None:
@@ -103,7 +103,7 @@ class StraightLine:
             _refuse_other_pi(tree)
             return
         if not LETTER.match(letter):
-            raise NotRead(f"{letter} is no letter of a formula")
+            raise NotRead(f"{letter} is not a letter of a formula")
         if letter in self.drawn:
             self._refuse_again(letter)
         self.formulas[letter], self.sizes[letter] = tree, size
@@ -137,7 +137,7 @@ class StraightLine:
     def _refuse_again(self, letter: str) -> None:
         """Raises NotRead for a letter that has a value already: what follows would mean another one."""
         if not LETTER.match(letter) or letter == "pi":
-            raise NotRead(f"{letter} is no letter of a formula")
+            raise NotRead(f"{letter} is not a letter of a formula")
         if letter in self.drawn or letter in self.formulas:
             raise NotRead(f"{letter} is given a value twice")
 
@@ -199,7 +199,7 @@ def formula_from(expression: str) -> Expr:
     except ValueError as error:
         raise NotRead(str(error)) from None
     if isinstance(tree, Relation):
-        raise NotRead(f"{expression!r} compares, and is no key")
+        raise NotRead(f"{expression!r} compares, and is not a key")
     return tree
 
 

@@ -70,7 +70,7 @@ def webwork_source(source: str) -> WebworkSource:
     if len(ANSWERED.findall(QUOTED.sub("''", source))) < len(ANSWERED.findall(source)):
         raise NotRead("a text within its program speaks of ANS")
     if any(map(PGML_BLANK.search, heredocs)):
-        raise NotRead("it has answers in a text that is no block of PGML")
+        raise NotRead("it has answers in a text that is not a block of PGML")
     statements = tuple(each.strip() for each in source.split(";"))
     answers: dict[str, tuple[int, str]] = {}
     kinds = set[str]()
@@ -252,7 +252,7 @@ class PerlProgram:
         elif text[:1] in {'"', "'", "`"}:
             text = self._interpolated(text)
         elif "^" in text:
-            raise NotRead("^ is no power in Perl")
+            raise NotRead("^ is not a power in Perl")
         letters = [_letter(each) for each in VARIABLE.findall(text)]
         behind = {self.units[letter] for letter in letters if letter in self.units}
         if behind and (unit or not VARIABLE.fullmatch(text)):
@@ -309,7 +309,7 @@ def _program(source: WebworkSource) -> tuple[PerlProgram, dict[str, WebworkAnswe
         raise NotRead("a variable is changed after it was assigned")
     for name in VARIABLE.findall(source.text):
         if name.removesuffix(OF_FUNCTION) != name and name.removesuffix(OF_FUNCTION) in function_words():
-            raise NotRead(f"{name} is no letter here")
+            raise NotRead(f"{name} is not a letter here")
     program, read = PerlProgram(), dict[str, WebworkAnswer | NotRead]()
     waiting, flags = list(source.answers.items())[::-1], dict[str, str]()
     for place, statement in enumerate(source.statements):

@@ -286,6 +286,6 @@ PLAYERS = (
     _player("kim", "Kim", "Park", "an endless loop in one cell", endless),
     _player("lou", "Lou", "Martin", "a crash half-way", crash),
     _player("mallory", "Mallory", "Crane", "forged checks, and a search for the key", forged),
-    _player("nils", "Nils", "Holm", "a file that is no notebook", no_notebook),
+    _player("nils", "Nils", "Holm", "a file that is not a notebook", no_notebook),
     _player("omar", "Omar", "Haddad", "everything right, 30 hours late", late),
 )

@@ -131,7 +131,7 @@ def _called(
         if isinstance(returned, str):
             return Unread(
                 _(
-                    "{function} returns something that is no list of numbers: {returned}.",
+                    "{function} returns something that is not a list of numbers: {returned}.",
                     function=part.function,
                     returned=returned,
                 )
@@ -151,7 +151,7 @@ def judge_plot(
         with limited():
             return _judge_plot(solution, variant, part, run, secret, student)
     except TooMuchCompared:
-        return Unmarked(_("More is drawn than is compared for one part: a person will look at it."))
+        return Unmarked(_("More is drawn than can be compared for one part: a person will look at it."))
 
 
 def _judge_plot(

@@ -207,7 +207,7 @@ def _beside(others: int) -> Fault | Doubt | None:
         )
     return Doubt(
         _(
-            "What was asked for is there, and beside it what was not: a person will look at it. (Curves that were not asked for: {others}.)",
+            "The curves asked for are there, and others that were not: a person will look at it. (Not asked for: {others}.)",
             others=others,
         )
     )

@@ -140,7 +140,7 @@ def coq(tree: Expr) -> str:
         case Power(base, exponent):
             power = constant(exponent)
             if power is None or power.denominator > 1 or abs(power) > LARGEST_POWER:
-                raise NotAlgebraic("it has a power that is no whole number")
+                raise NotAlgebraic("it has a power that is not a whole number")
             return f"(1 / {_times(base, -power)})" if power < 0 else _times(base, power)
         case Call(function, _):
             raise NotAlgebraic(f"it has {function}")

@@ -254,7 +254,7 @@ def _only_root(find: Unknown, found: Found) -> Obligation:
     if find.in_givens is None:
         return Obligation("one root", claim, line, open="it rests on a simulation", tried=False)
     if find.where is None:
-        return Obligation("one root", claim, line, open="its condition is no relation")
+        return Obligation("one root", claim, line, open="its condition is not a relation")
     here = [relation for law in find.laws for relation in law.here]
     meant = dict(zip(find.names, find.in_givens, strict=True)) | dict(find.aside)
     needs: list[Clause] = [(_put(each, meant | dict(found)),) for each in find.where]
