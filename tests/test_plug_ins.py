@@ -32,7 +32,9 @@ def test_one_name_of_two_packages_is_refused_with_both(installed):
 
 def test_a_name_that_is_ours_is_refused_too(installed):
     installed("prices", {"corollary.answers": ["value = prices"]}, {"prices.py": ""})
-    with pytest.raises(PlugInFault, match="corollary-physics and prices are both installed and both bring value"):
+    with pytest.raises(
+        PlugInFault, match="corollary-physics and prices are both installed and both bring value"
+    ):
         answer_type("ratio")
     assert answer_type("value").word == "number"
 

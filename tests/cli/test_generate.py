@@ -66,7 +66,7 @@ def test_newcomers_are_added_and_who_disappears_is_never_dropped_silently(run):
     assert "ben" in out
     assert "cyd" in out
     assert "Nothing is changed; --yes agrees" in err
-    assert "a file in which nobody else stands" in err
+    assert "a file that names only them" in err
     assert run("id\nada\ndan\n", "--yes")[0] == 0
     assert on_roster() == ["ada", "dan"]
     assert Path("course/release/ada/small/small.ipynb").read_bytes() == sheet

@@ -106,7 +106,7 @@ def test_one_problem_is_one_problem(bank):
     [
         (
             ["list", "--topic", "impuls"],
-            "--topic impuls is in no problem (did you mean impulse?); there are ",
+            "--topic impuls is in no problem (did you mean impulse?); choose one of ",
         ),
         (["list", "--type", "explan"], "--type explan is in no problem (did you mean explain?)"),
         (["key", "kicking_a_bal"], "no problem is called kicking_a_bal (did you mean kicking_a_ball?)"),

@@ -159,7 +159,9 @@ def test_the_bank_of_an_installed_package(other, installed, monkeypatch, tmp_pat
     with pytest.raises(UnknownCode, match="the banks installed are chapter, empty, heat"):
         open_bank(Path("optics"))
     installed("chapters", {"corollary.banks": ["chapter = heat_problems"]})
-    with pytest.raises(PlugInFault, match="corollary-physics and chapters are both installed and both bring chapter"):
+    with pytest.raises(
+        PlugInFault, match="corollary-physics and chapters are both installed and both bring chapter"
+    ):
         open_bank(Path("optics"))
 
 

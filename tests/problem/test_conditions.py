@@ -70,9 +70,9 @@ def test_a_number_carries_its_unit(condition, good, bad):
         ("v < 3 furlongs", "furlongs is not a unit known here"),
         ("0 < F > 1 N", "a chain has all its signs one way"),
         ("0 != F != 1 N", "a chain has all its signs one way"),
-        ("2*m", "it compares nothing"),
+        ("2*m", "it is not a comparison"),
         ("q > 3 kg", "q is not among the givens"),
-        ("2 kg > 1 kg", "it is about none of the givens"),
+        ("2 kg > 1 kg", "it contains none of the givens"),
     ],
 )
 def test_what_cannot_be_compared_is_said_with_the_remedy(condition, words):

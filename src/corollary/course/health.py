@@ -202,9 +202,7 @@ def _isolation(settings: Settings) -> Finding:
     holds = "; ".join(GUARANTEES[name] for name in found.guaranteed) or "nothing is guaranteed"
     state = "broken" if found.level < required else "weak" if found.missing else "good"
     short = [name for name in ("landlockpy", "pyseccomp") if sys.platform == "linux" and not _version(name)]
-    remedy = (
-        installing("isolation") if short else "see docs/reference/isolation.md" if found.missing else ""
-    )
+    remedy = installing("isolation") if short else "see docs/reference/isolation.md" if found.missing else ""
     missing = f"; missing: {'; '.join(found.missing)}" if found.missing else ""
     return Finding("isolation", state, f"level {found.level} ({found.line}): {holds}{missing}", remedy)
 

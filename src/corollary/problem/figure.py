@@ -222,7 +222,7 @@ class _Reading:
                 )
             return tuple(number for number, _dimension in read), str(next(iter(dimensions), ""))
         if dimensions - {ONE}:
-            raise ValueError(f"{word}={value} is no {'angle' if takes == 'angles' else 'plain number'}")
+            raise ValueError(f"{word}={value} is not {'an angle' if takes == 'angles' else 'a plain number'}")
         if takes == "angles":
             return tuple(
                 _in_degrees(number) if dimension is None and "pi" not in part else number

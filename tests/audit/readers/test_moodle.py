@@ -74,7 +74,7 @@ NOT_READ = [
     ("calculated", answer("{m}*round({v},1)") + MV, ""),
     ("calculated", answer("{m}*") + MV, ""),
     ("calculated", answer("{m}^2") + MV, "pow is"),
-    ("calculated", answer("{m}") + datasets(dataset("m", 5, 5)), "no range"),
+    ("calculated", answer("{m}") + datasets(dataset("m", 5, 5)), "not a range"),
 ]
 
 

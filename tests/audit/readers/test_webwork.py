@@ -61,7 +61,7 @@ NOT_READ = [
     (MV + "NAMED_ANS(num_cmp($m));", "NAMED_ANS with 1 arguments"),
     (MV + "$gamma_v = 2;\n$gamma = 3;\nANS(num_cmp($m*$gamma));", "gamma_v is not a letter"),
     (MV, "0 answers"),
-    (MV + "$ans = 0.5*$m*$v^2;\nANS(Real($ans)->cmp);", "no power in Perl"),
+    (MV + "$ans = 0.5*$m*$v^2;\nANS(Real($ans)->cmp);", "not a power in Perl"),
     (MV + "$m += 1;\n$a = $m*$v;\nANS(num_cmp($a));", "given a value twice"),
     (MV + "$a = $m*$v;\n$a++;\nANS(num_cmp($a));", "is changed"),
     (MV + "($m, $v) = (1, 2);\n$a = $m*$v;\nANS(num_cmp($a));", "is changed"),
