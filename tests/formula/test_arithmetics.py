@@ -11,9 +11,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from corollary.formula.arithmetics import DOUBLES, PAIRS, NotAvailable, arrays, intervals, ready
-from corollary.formula.double_double import PI, DoubleDouble, root
+from corollary.formula.arithmetics import DOUBLES, NotAvailable, arrays, ready
 from corollary.formula.syntax import author_formula
+from corollary.trade.arithmetic_costs import PAIRS, intervals
+from corollary.trade.double_double import PI, DoubleDouble, root
 
 FORMULA = author_formula("m*v^2/2 - sqrt(m)*v/(1 + v) + 3", ["m", "v"])
 sizes = st.floats(1e-6, 1e6)

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from corollary.formula.arithmetics import constant, exactly
 from corollary.formula.ball import Undefined, evaluate
-from corollary.formula.exact import constant, exactly
 from corollary.formula.rational_pi import RationalPi
 from corollary.formula.syntax import author_formula
 

@@ -15,11 +15,10 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from corollary.answers.equality import Equal, compare
-from corollary.formula.arithmetics import DOUBLES, arrays, ready
+from corollary.formula.arithmetics import DOUBLES, arrays, exactly, ready
 from corollary.formula.ast import Call, Name
 from corollary.formula.ball import RationalPi, certified
 from corollary.formula.errors import ParseError
-from corollary.formula.exact import exactly
 from corollary.formula.from_sympy import tree
 from corollary.formula.functions import FUNCTIONS, SPELLINGS, Function, register
 from corollary.formula.latex import latex

@@ -12,9 +12,9 @@ from typing import Literal
 from flint import arb
 
 from corollary.answers.common_errors import ratio_of_formulas
+from corollary.formula.arithmetics import constant
 from corollary.formula.ast import Call, Expr, Power, names, walk
 from corollary.formula.ball import Undefined, evaluate
-from corollary.formula.exact import constant
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.plain_text import text
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from corollary.formula.arithmetics import constant
 from corollary.formula.ast import (
     Call,
     Expr,
@@ -57,7 +58,6 @@ from corollary.formula.enclosure import (
     tangent_back,
 )
 from corollary.formula.errors import Undefined
-from corollary.formula.exact import constant
 
 BITS = 128  # at which a part without unknowns is worked out
 LARGEST_POWER = 40

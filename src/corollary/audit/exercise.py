@@ -12,11 +12,11 @@ from corollary.audit.contractor import NoContractor, turning_letters
 from corollary.audit.enclosed_roots import MOST_TURNS, POSSIBLE, EnclosedRoots, enclosed_roots, middle
 from corollary.audit.record import ExerciseRecord, StatedGiven
 from corollary.derive.system import SystemRoot, stated, system_roots
+from corollary.formula.arithmetics import constant
 from corollary.formula.ast import Call, Power, Relation, names, walk
 from corollary.formula.ball import RationalPi, certified, holds
 from corollary.formula.enclosure import Enclosure
 from corollary.formula.errors import Undefined
-from corollary.formula.exact import constant
 from corollary.formula.numerals import decimal_text, figures_apart
 from corollary.formula.syntax import author_formula
 from corollary.laws.law import Law

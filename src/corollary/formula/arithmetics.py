@@ -1,4 +1,4 @@
-"""A formula evaluated in any arithmetic: doubles, whole arrays of them, pairs of doubles, intervals."""
+"""One fold over formula trees, with the arithmetic as argument: doubles, arrays of them, exact fractions, balls."""
 
 from __future__ import annotations
 
@@ -21,12 +21,11 @@ from corollary.formula.ast import (
     Sum,
     names,
 )
-from corollary.formula.double_double import PI, DoubleDouble
 from corollary.formula.errors import NotAvailable
-from corollary.formula.exact import constant
 from corollary.formula.functions import FUNCTIONS, Function
+from corollary.formula.rational_pi import PI, Irrational, RationalPi
 
-__all__ = ["DOUBLES", "PAIRS", "Arithmetic", "NotAvailable", "arrays", "intervals", "ready"]
+__all__ = ["DOUBLES", "EXACT", "Arithmetic", "NotAvailable", "arrays", "constant", "exactly", "ready"]
 
 Values = Mapping[str, Any]
 Evaluation = Callable[[Values], Any]
@@ -34,11 +33,13 @@ Evaluation = Callable[[Values], Any]
 
 @dataclass(frozen=True, slots=True)
 class Arithmetic:
-    """Numbers that add, multiply and divide by themselves.
+    """Numbers that add, subtract, multiply and divide by themselves.
 
     `number` makes one of a fraction, `column` gives its form of a function (None where it has none), `power` raises one
     number to another that is not whole. `rounded` is given each evaluation whose result another operation goes on from, and
     gives the one to go on from instead (None: results are taken as they are).
+
+    The methods make evaluations from those of their parts; an arithmetic with rules of its own overrides them.
     """
 
     name: str
@@ -47,6 +48,24 @@ class Arithmetic:
     column: Callable[[Function], Callable[..., Any] | None]
     power: Callable[[Any, Any], Any] | None = None
     rounded: Callable[[Evaluation], Evaluation] | None = None
+
+    def literal(self, value: Fraction) -> Evaluation:
+        number = self.number(value)
+        return lambda at: number
+
+    def quotient(self, top: Evaluation, bottom: Evaluation) -> Evaluation:
+        return lambda at: top(at) / bottom(at)
+
+    def raised(self, base: Evaluation, exponent: Expr, made: Callable[[Expr], Evaluation]) -> Evaluation:
+        """The base to an exponent, which `made` makes an evaluation of where its value is not whole."""
+        fixed, power = constant(exponent), self.power
+        if fixed is not None and fixed.denominator == 1:
+            whole = fixed.numerator
+            return lambda at: base(at) ** whole
+        if power is None:
+            raise NotAvailable(f"{self.name} has no broken powers")
+        above = made(exponent)
+        return lambda at: power(base(at), above(at))
 
 
 def ready(tree: Expr, arithmetic: Arithmetic) -> Evaluation:
@@ -67,8 +86,7 @@ def ready(tree: Expr, arithmetic: Arithmetic) -> Evaluation:
 
     match tree:
         case Number(value):
-            number = arithmetic.number(value)
-            return lambda at: number
+            return arithmetic.literal(value)
         case Name("pi"):
             return lambda at: at.get("pi", arithmetic.pi)
         case Name(name):
@@ -77,26 +95,27 @@ def ready(tree: Expr, arithmetic: Arithmetic) -> Evaluation:
             inner = ready(term, arithmetic)
             return lambda at: -inner(at)
         case Sum(terms):
-            return _total([made(term) for term in terms])
+            first, *others = terms
+            return _total(
+                made(first),
+                [
+                    (True, made(each.term)) if isinstance(each, Negative) else (False, made(each))
+                    for each in others
+                ],
+            )
         case Product(factors):
             return _multiplied([made(factor) for factor in factors])
         case Quotient(top, bottom):
-            above, below = made(top), made(bottom)
-            return lambda at: above(at) / below(at)
+            return arithmetic.quotient(made(top), made(bottom))
         case Power(base, exponent):
-            below, fixed = made(base), constant(exponent)
-            if fixed is not None and fixed.denominator == 1:
-                whole = fixed.numerator
-                return lambda at: below(at) ** whole
-            power = arithmetic.power
-            if power is None:
-                raise NotAvailable(f"{arithmetic.name} has no broken powers")
-            above = made(exponent)
-            return lambda at: power(below(at), above(at))
+            return arithmetic.raised(made(base), exponent, made)
         case Call(function, arguments):
             apply, inside = arithmetic.column(FUNCTIONS[function]), [made(argument) for argument in arguments]
             if apply is None:
                 raise NotAvailable(f"{arithmetic.name} has no {function}")
+            if len(inside) == 1:
+                (only,) = inside
+                return lambda at: apply(only(at))
             return lambda at: apply(*[each(at) for each in inside])
         case Relation():
             raise NotAvailable("a comparison has no number as its value")
@@ -106,16 +125,16 @@ def ready(tree: Expr, arithmetic: Arithmetic) -> Evaluation:
 
 # Two parts are written out: most sums and products have no more, and formulas are evaluated by the million. Nothing is added in
 # place: the numbers may be arrays, of which others hold the same.
-def _total(parts: list[Evaluation]) -> Evaluation:
-    first, *rest = parts
-    if len(rest) == 1:
-        second = rest[0]
-        return lambda at: first(at) + second(at)
+def _total(first: Evaluation, others: list[tuple[bool, Evaluation]]) -> Evaluation:
+    """The sum of a first term and others, of which those with True are subtracted."""
+    if len(others) == 1:
+        ((minus, second),) = others
+        return (lambda at: first(at) - second(at)) if minus else (lambda at: first(at) + second(at))
 
     def run(at: Values) -> Any:
         total = first(at)
-        for part in rest:
-            total = total + part(at)
+        for minus, term in others:
+            total = total - term(at) if minus else total + term(at)
         return total
 
     return run
@@ -137,7 +156,6 @@ def _multiplied(parts: list[Evaluation]) -> Evaluation:
 
 
 DOUBLES = Arithmetic("float64", float, math.pi, lambda row: row.double, math.pow)
-PAIRS = Arithmetic("double-double", DoubleDouble.of, PI, lambda row: row.double_double)
 
 
 def arrays() -> Arithmetic:
@@ -159,16 +177,41 @@ def arrays() -> Arithmetic:
     return Arithmetic("float64 arrays", float, math.pi, column, np.power)
 
 
-def intervals() -> Arithmetic:
-    """Pairs of doubles that hold the value between them; made when asked for, since mpmath takes a while to load."""
-    import mpmath
+class _Exact(Arithmetic):
+    """Fractions times powers of pi; an exponent is evaluated as any other part is."""
 
-    iv: Any = mpmath.iv
-    iv.prec = 53
-    return Arithmetic(
-        "intervals",
-        lambda value: iv.mpf(value.numerator) / iv.mpf(value.denominator),
-        iv.pi,
-        lambda row: getattr(iv, row.interval or row.name, None),
-        lambda a, b: a**b,
-    )
+    __slots__ = ()
+
+    def raised(self, base: Evaluation, exponent: Expr, made: Callable[[Expr], Evaluation]) -> Evaluation:
+        above = made(exponent)
+        return lambda at: base(at) ** above(at)
+
+
+def _exact(row: Function) -> Callable[..., RationalPi]:
+    def apply(*numbers: RationalPi) -> RationalPi:
+        found = row.exact(*numbers)
+        if found is None:
+            raise Irrational
+        return found
+
+    return apply
+
+
+EXACT = _Exact("fractions times powers of pi", RationalPi, PI, _exact)
+
+
+def exactly(tree: Expr, values: Mapping[str, object]) -> RationalPi | None:
+    """The value in Q times a power of pi; None where it is not one, is not defined, or has too many digits."""
+    known = {name: value for name, value in values.items() if isinstance(value, RationalPi)}
+    try:
+        return ready(tree, EXACT)(known)
+    except (NotAvailable, Irrational, KeyError):
+        return None
+
+
+def constant(tree: Expr) -> Fraction | None:
+    """The value of a formula without letters, where it is a fraction."""
+    if isinstance(tree, Number):
+        return tree.value
+    found = exactly(tree, {})
+    return found.ratio if found is not None and found.pi == 0 else None

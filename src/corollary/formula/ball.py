@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TypeVar, assert_never
+from typing import TypeVar
 
 from flint import arb, ctx, fmpq
 
+from corollary.formula.arithmetics import Arithmetic, Evaluation, constant, exactly, ready
 from corollary.formula.ast import (
-    Call,
     Expr,
     Name,
     Negative,
     Number,
     Power,
     Product,
-    Quotient,
     Relation,
     Sum,
     children,
@@ -27,21 +26,75 @@ from corollary.formula.ast import (
     rebuilt,
 )
 from corollary.formula.errors import Undefined
-from corollary.formula.exact import constant, exactly
-from corollary.formula.functions import FUNCTIONS, ball_root
+from corollary.formula.functions import ball_root
 from corollary.formula.rational_pi import RationalPi
 
-Step = Callable[[Sequence[arb]], arb]
 MOST_CACHED = 1024
 ROOTS_UP_TO = 64
 
 
+class _Balls(Arithmetic):
+    """Balls at the precision that is set; a division by zero raises Undefined."""
+
+    __slots__ = ()
+
+    def literal(self, value: Fraction) -> Evaluation:
+        if value.denominator == 1 and value.numerator.bit_length() <= 64:
+            whole = arb(value.numerator)
+            return lambda at: whole
+        ratio = fmpq(value.numerator, value.denominator)
+        return lambda at: arb(ratio)  # rounded anew at each precision
+
+    def quotient(self, top: Evaluation, bottom: Evaluation) -> Evaluation:
+        def run(at: Mapping[str, arb]) -> arb:
+            below = bottom(at)
+            if below.is_zero():
+                raise Undefined("division by zero")
+            return top(at) / below
+
+        return run
+
+    def raised(self, base: Evaluation, exponent: Expr, made: Callable[[Expr], Evaluation]) -> Evaluation:
+        fixed = constant(exponent)
+        if fixed is None or fixed.denominator > ROOTS_UP_TO or abs(fixed.numerator) >= 1 << 20:
+            above = made(exponent)
+            return lambda at: _power(base(at), above(at))
+        up, degree = fixed.numerator, fixed.denominator
+
+        def run(at: Mapping[str, arb]) -> arb:
+            ball = base(at)
+            if up < 0 and ball.is_zero():
+                raise Undefined("division by zero")
+            if degree > 1:
+                ball = ball_root(ball, degree)
+            return ball**up
+
+        return run
+
+
+def _power(below: arb, above: arb) -> arb:
+    if below < 0 and not above.contains_integer():
+        raise Undefined("a negative number to a broken power")
+    if not below.is_zero():
+        return below**above
+    if above < 0:
+        raise Undefined("division by zero")
+    return arb(0) if above > 0 else arb(1) if above.is_zero() else arb("nan")
+
+
+def _number(value: Fraction) -> arb:
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+BALLS = _Balls("balls", _number, None, lambda row: row.ball)
+
+
 @dataclass(frozen=True, slots=True)
 class Program:
-    """A formula ready to run on the balls of its letters, in the order of `names`."""
+    """A formula ready to run on the balls of its letters; pi is one of them."""
 
     names: tuple[str, ...]
-    run: Step
+    run: Evaluation
 
 
 # Kept by identity: to hash a formula costs as much as to evaluate it. The formula is held, so its id stays its own.
@@ -53,126 +106,11 @@ def program(tree: Expr) -> Program:
     cached = _CACHE.get(id(tree))
     if cached is not None and cached[0] is tree:
         return cached[1]
-    letters = tuple(sorted(names(tree)))
-    made = Program(letters, _step(tree, {name: place for place, name in enumerate(letters)}))
+    made = Program(tuple(sorted(names(tree))), ready(tree, BALLS))
     if len(_CACHE) >= MOST_CACHED:
         _CACHE.clear()
     _CACHE[id(tree)] = (tree, made)
     return made
-
-
-def _step(tree: Expr, place: dict[str, int]) -> Step:
-    match tree:
-        case Number(value):
-            return _number(value)
-        case Name(name):
-            index = place[name]
-            return lambda at: at[index]
-        case Negative(term):
-            inner = _step(term, place)
-            return lambda at: -inner(at)
-        case Sum(terms):
-            signed = [
-                (isinstance(term, Negative), term.term if isinstance(term, Negative) else term)
-                for term in terms
-            ]
-            return _sum([(minus, _step(term, place)) for minus, term in signed])
-        case Product(factors):
-            return _product([_step(factor, place) for factor in factors])
-        case Quotient(top, bottom):
-            return _quotient(_step(top, place), _step(bottom, place))
-        case Power(base, exponent):
-            fixed = constant(exponent)
-            if fixed is not None and fixed.denominator <= ROOTS_UP_TO and abs(fixed.numerator) < 1 << 20:
-                return _fixed_power(_step(base, place), fixed)
-            return _power(_step(base, place), _step(exponent, place))
-        case Call(function, arguments):
-            return _call(function, [_step(argument, place) for argument in arguments])
-        case Relation(sign):
-            raise ValueError(f"a comparison ({sign}) has no number as its value")
-        case _:
-            assert_never(tree)
-
-
-def _number(value: Fraction) -> Step:
-    if value.denominator == 1 and value.numerator.bit_length() <= 64:
-        whole = arb(value.numerator)
-        return lambda at: whole
-    ratio = fmpq(value.numerator, value.denominator)
-    return lambda at: arb(ratio)  # rounded anew at each precision
-
-
-def _sum(terms: list[tuple[bool, Step]]) -> Step:
-    if len(terms) == 2 and not terms[0][0]:
-        (_, left), (minus, right) = terms
-        return (lambda at: left(at) - right(at)) if minus else (lambda at: left(at) + right(at))
-
-    def run(at: Sequence[arb]) -> arb:
-        total = arb(0)
-        for minus, term in terms:
-            total = total - term(at) if minus else total + term(at)
-        return total
-
-    return run
-
-
-def _product(factors: list[Step]) -> Step:
-    if len(factors) == 2:
-        left, right = factors
-        return lambda at: left(at) * right(at)
-
-    def run(at: Sequence[arb]) -> arb:
-        product = arb(1)
-        for factor in factors:
-            product = product * factor(at)
-        return product
-
-    return run
-
-
-def _quotient(top: Step, bottom: Step) -> Step:
-    def run(at: Sequence[arb]) -> arb:
-        below = bottom(at)
-        if below.is_zero():
-            raise Undefined("division by zero")
-        return top(at) / below
-
-    return run
-
-
-def _fixed_power(base: Step, power: Fraction) -> Step:
-    up, degree = power.numerator, power.denominator
-
-    def run(at: Sequence[arb]) -> arb:
-        ball = base(at)
-        if up < 0 and ball.is_zero():
-            raise Undefined("division by zero")
-        if degree > 1:
-            ball = ball_root(ball, degree)
-        return ball**up
-
-    return run
-
-
-def _power(base: Step, exponent: Step) -> Step:
-    def run(at: Sequence[arb]) -> arb:
-        below, above = base(at), exponent(at)
-        if below < 0 and not above.contains_integer():
-            raise Undefined("a negative number to a broken power")
-        if not below.is_zero():
-            return below**above
-        if above < 0:
-            raise Undefined("division by zero")
-        return arb(0) if above > 0 else arb(1) if above.is_zero() else arb("nan")
-
-    return run
-
-
-def _call(function: str, arguments: list[Step]) -> Step:
-    ball, first = FUNCTIONS[function].ball, arguments[0]
-    if len(arguments) == 1:
-        return lambda at: ball(first(at))
-    return lambda at: ball(*[argument(at) for argument in arguments])
 
 
 __all__ = [
@@ -231,8 +169,8 @@ def evaluate(tree: Expr, values: Values, precision: int) -> arb:
 
 def ball_at(tree: Expr, values: Mapping[str, arb]) -> arb:
     """As `evaluate`, at the precision that is set: inside `precision_of`, for many formulas on values that are balls already."""
-    ready = program(tree)
-    return ready.run([values[name] if name in values else _constant(name) for name in ready.names])
+    made = program(tree)
+    return made.run({name: values[name] if name in values else _constant(name) for name in made.names})
 
 
 def in_balls(values: Values, precision: int) -> dict[str, arb]:
@@ -328,15 +266,16 @@ def _refined(
 
 
 def _ball(tree: Expr, values: Values) -> arb:
-    ready = program(tree)
-    return ready.run([_as_ball(values[name]) if name in values else _constant(name) for name in ready.names])
+    made = program(tree)
+    return made.run(
+        {name: _as_ball(values[name]) if name in values else _constant(name) for name in made.names}
+    )
 
 
 def _as_ball(value: RationalPi | arb) -> arb:
     if isinstance(value, arb):
         return value
-    ratio = value.ratio
-    ball = arb(fmpq(ratio.numerator, ratio.denominator))
+    ball = _number(value.ratio)
     return ball if value.pi == 0 else ball * arb.pi() ** value.pi
 
 

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from corollary.formula.double_double import DoubleDouble, root
 from corollary.formula.errors import Undefined
 from corollary.formula.rational_pi import (
     HALF,
@@ -22,7 +21,6 @@ from corollary.formula.rational_pi import (
     arc_tangent,
     cosine,
     largest,
-    raised,
     sine,
     smallest,
     tangent,
@@ -46,7 +44,7 @@ class Function:
         of its arguments only, so that the table needs no flint.
     arity: how many numbers it takes.
     spellings: what else may be typed for it; its name always may, and is its text.
-    exact: of numbers q·pi^n, giving such a number, or None.
+    exact: of numbers q·pi^n, giving such a number; None (or Irrational raised) where it is none.
     dimension: the power of its arguments' common dimension that the value has; None: it takes plain numbers only.
     derivatives: for each argument (x, y) the partial derivative as a formula; none where there is no simple one.
     slope: a bound on the derivative anywhere, where there is one.
@@ -54,8 +52,7 @@ class Function:
     angle: whether it takes an angle, for which a bare number says neither degrees nor radians.
     tex: what TeX calls it, or a form in which # stands for the argument; left out, its name.
     sympy: its name in sympy, or what makes sympy's expression of it; left out, its name.
-    array, interval: its name in numpy and in mpmath's intervals (which may lack it); left out, its name.
-    double_double: of pairs of doubles, where there is one.
+    array: its name in numpy (which may lack it); left out, its name.
     """
 
     name: str
@@ -72,8 +69,6 @@ class Function:
     tex: str = ""
     sympy: str | Callable[..., Any] = ""
     array: str = ""
-    interval: str = ""
-    double_double: Callable[[DoubleDouble], DoubleDouble] | None = None
 
 
 FUNCTIONS: dict[str, Function] = {}
@@ -146,12 +141,11 @@ for _row in (
         "sqrt",
         math.sqrt,
         lambda x: ball_root(x, 2),
-        exact=lambda x: raised(x, HALF),
+        exact=lambda x: x ** RationalPi(HALF),
         dimension=HALF,
         derivatives=("1/(2*sqrt(x))",),
         branches=True,
         tex=r"\sqrt{#}",
-        double_double=root,
     ),
     Function(
         "abs",
@@ -164,8 +158,6 @@ for _row in (
         branches=True,
         tex=r"\left|#\right|",
         sympy="Abs",
-        interval="fabs",
-        double_double=abs,
     ),
     Function(
         "sin",

@@ -5,10 +5,10 @@ from __future__ import annotations
 from fractions import Fraction
 
 from corollary.formula.abbreviations import applied, arity, of_angle
+from corollary.formula.arithmetics import constant
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
 from corollary.formula.degrees import degrees
 from corollary.formula.errors import ParseError, ambiguous
-from corollary.formula.exact import constant
 from corollary.formula.lexer import LARGEST_EXPONENT, Token
 from corollary.formula.line import Lean, Line, Stop, ask, refuse, unexpected
 from corollary.formula.plain_text import text

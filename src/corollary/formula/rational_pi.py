@@ -15,9 +15,13 @@ TANGENTS = {ZERO: ZERO, Fraction(1, 4): Fraction(1), Fraction(3, 4): Fraction(-1
 """tan(pi x) where it is rational, for x from 0 to 1 (by the same theorem)."""
 
 
+class Irrational(ArithmeticError):
+    """The result is no fraction times a power of pi, has no value, or has too many digits."""
+
+
 @dataclass(frozen=True, slots=True)
 class RationalPi:
-    """The number `ratio` times pi to the power `pi`."""
+    """The number `ratio` times pi to the power `pi`. Operations raise Irrational."""
 
     ratio: Fraction
     pi: int = 0
@@ -26,6 +30,35 @@ class RationalPi:
         """The nearest double but one or two. Raises OverflowError beyond the doubles."""
         return float(self.ratio) * math.pi**self.pi
 
+    def __neg__(self) -> RationalPi:
+        return RationalPi(-self.ratio, self.pi)
+
+    def __add__(self, other: RationalPi) -> RationalPi:
+        if self.ratio and other.ratio and self.pi != other.pi:
+            raise Irrational
+        return _bounded(self.ratio + other.ratio, self.pi if self.ratio else other.pi)
+
+    def __sub__(self, other: RationalPi) -> RationalPi:
+        return self + -other
+
+    def __mul__(self, other: RationalPi) -> RationalPi:
+        return _bounded(self.ratio * other.ratio, self.pi + other.pi)
+
+    def __truediv__(self, other: RationalPi) -> RationalPi:
+        return self * other**MINUS_ONE
+
+    def __pow__(self, exponent: RationalPi) -> RationalPi:
+        power = exponent.ratio
+        if exponent.pi or (self.ratio == 0 and power < 0):
+            raise Irrational
+        if power.denominator > 64 or power.numerator.bit_length() > 12:
+            raise Irrational
+        bits = max(self.ratio.numerator.bit_length(), self.ratio.denominator.bit_length())
+        if bits * abs(power) > MOST_BITS or (self.pi * power).denominator != 1:
+            raise Irrational
+        root = self.ratio if power.denominator == 1 else _root(self.ratio, power.denominator)
+        return _bounded(root**power.numerator, int(self.pi * power))
+
 
 NOTHING = RationalPi(ZERO)
 ONE = RationalPi(Fraction(1))
@@ -33,47 +66,22 @@ MINUS_ONE = RationalPi(Fraction(-1))
 PI = RationalPi(Fraction(1), 1)
 
 
-def bounded(ratio: Fraction, pi: int) -> RationalPi | None:
-    """The number, 0 without any pi; None where its fraction has become too long."""
+def _bounded(ratio: Fraction, pi: int) -> RationalPi:
+    """The number, 0 without any pi. Raises Irrational where its fraction has become too long."""
     if ratio == 0:
         return NOTHING
-    long = max(ratio.numerator.bit_length(), ratio.denominator.bit_length()) >= MOST_BITS
-    return None if long else RationalPi(ratio, pi)
+    if max(ratio.numerator.bit_length(), ratio.denominator.bit_length()) >= MOST_BITS:
+        raise Irrational
+    return RationalPi(ratio, pi)
 
 
-def plus(left: RationalPi | None, right: RationalPi | None) -> RationalPi | None:
-    """The sum; None where it is no such number (1 + pi)."""
-    if left is None or right is None:
-        return None
-    if left.ratio and right.ratio and left.pi != right.pi:
-        return None
-    return bounded(left.ratio + right.ratio, left.pi if left.ratio else right.pi)
-
-
-def times(left: RationalPi | None, right: RationalPi | None) -> RationalPi | None:
-    """The product."""
-    return None if left is None or right is None else bounded(left.ratio * right.ratio, left.pi + right.pi)
-
-
-def raised(base: RationalPi | None, power: Fraction) -> RationalPi | None:
-    """The power; None where it is irrational, undefined or too long."""
-    if base is None or (base.ratio == 0 and power < 0):
-        return None
-    if power.denominator > 64 or power.numerator.bit_length() > 12:
-        return None
-    bits = max(base.ratio.numerator.bit_length(), base.ratio.denominator.bit_length())
-    if bits * abs(power) > MOST_BITS or (base.pi * power).denominator != 1:
-        return None
-    root = base.ratio if power.denominator == 1 else _root(base.ratio, power.denominator)
-    return None if root is None else bounded(root**power.numerator, int(base.pi * power))
-
-
-def _root(ratio: Fraction, degree: int) -> Fraction | None:
+def _root(ratio: Fraction, degree: int) -> Fraction:
     if ratio < 0:
-        return None
+        raise Irrational
     top, bottom = _whole_root(ratio.numerator, degree), _whole_root(ratio.denominator, degree)
-    exact = top**degree == ratio.numerator and bottom**degree == ratio.denominator
-    return Fraction(top, bottom) if exact else None
+    if top**degree != ratio.numerator or bottom**degree != ratio.denominator:
+        raise Irrational
+    return Fraction(top, bottom)
 
 
 def _whole_root(number: int, degree: int) -> int:
@@ -112,20 +120,20 @@ def arc_sine(x: RationalPi) -> RationalPi | None:
     if x.pi:
         return None
     known = next((turn for turn, value in SINES.items() if value == abs(x.ratio) and turn <= HALF), None)
-    return None if known is None else bounded(known if x.ratio >= 0 else -known, 1)
+    return None if known is None else _bounded(known if x.ratio >= 0 else -known, 1)
 
 
 def arc_cosine(x: RationalPi) -> RationalPi | None:
     """The angle between 0 and pi whose cosine is x, where it is a rational share of pi."""
     found = arc_sine(x)
-    return None if found is None else bounded(HALF - found.ratio, 1)
+    return None if found is None else _bounded(HALF - found.ratio, 1)
 
 
 def arc_tangent(x: RationalPi) -> RationalPi | None:
     """The angle between -pi/2 and pi/2 whose tangent is x, where it is a rational share of pi."""
     if x.pi or abs(x.ratio) not in (0, 1):
         return None
-    return bounded(x.ratio / 4, 1)
+    return _bounded(x.ratio / 4, 1)
 
 
 def smallest(*numbers: RationalPi) -> RationalPi | None:

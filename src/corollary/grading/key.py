@@ -11,6 +11,7 @@ from corollary.answers.evaluation import BITS, as_exact, finite_double, number
 from corollary.answers.expected import Values
 from corollary.answers.tolerance import ROUNDING_NOISE, within
 from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown, Ways, once
+from corollary.formula.arithmetics import exactly
 from corollary.formula.ast import (
     Call,
     Expr,
@@ -25,7 +26,6 @@ from corollary.formula.ast import (
     names,
 )
 from corollary.formula.ball import Ball, RationalPi, Undefined, certified, evaluate, holds, precision_of
-from corollary.formula.exact import exactly
 from corollary.formula.functions import FUNCTIONS
 from corollary.grading.replay import Answered, ancestors, compute, simulated
 from corollary.grading.rounding import Noise, noise_of, tolerance_of

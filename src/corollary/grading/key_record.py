@@ -12,9 +12,9 @@ from corollary.answers.option_names import option_named
 from corollary.answers.registry import answer_type
 from corollary.derive.solution import Solution, Unknown
 from corollary.derive.statements import Code, Explain, Plot
+from corollary.formula.arithmetics import exactly
 from corollary.formula.ast import Expr
 from corollary.formula.ball import Undefined, evaluate
-from corollary.formula.exact import exactly
 from corollary.formula.plain_text import text
 from corollary.grading.forces_on_body import as_answered, free_body
 from corollary.grading.from_json import finite

@@ -11,6 +11,7 @@ from typing import Any, Protocol
 
 from flint.utils.flint_exceptions import DomainError
 
+from corollary.formula.arithmetics import constant
 from corollary.formula.ast import (
     Call,
     Expr,
@@ -25,7 +26,6 @@ from corollary.formula.ast import (
     names,
     walk,
 )
-from corollary.formula.exact import constant
 from corollary.polynomials.polynomial import Polynomial, RationalFunction, TooLarge, context, factored
 from corollary.polynomials.polynomial_signs import Bounds, Signs
 

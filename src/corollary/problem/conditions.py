@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Mapping
 from fractions import Fraction
 
+from corollary.formula.arithmetics import constant
 from corollary.formula.ast import (
     Call,
     Expr,
@@ -21,7 +22,6 @@ from corollary.formula.ast import (
     walk,
 )
 from corollary.formula.errors import ParseError
-from corollary.formula.exact import constant
 from corollary.formula.plain_text import text as written
 from corollary.formula.rational_pi import RationalPi
 from corollary.formula.syntax import author_formula

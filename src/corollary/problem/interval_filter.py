@@ -37,6 +37,9 @@ class Interval:
     def __add__(self, other: Interval) -> Interval:
         return _rounded(self.value + other.value, self.radius + other.radius)
 
+    def __sub__(self, other: Interval) -> Interval:
+        return self + -other
+
     def __mul__(self, other: Interval) -> Interval:
         crossed = abs(self.value) * other.radius + abs(other.value) * self.radius + self.radius * other.radius
         return _rounded(self.value * other.value, crossed)

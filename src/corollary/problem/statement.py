@@ -6,9 +6,9 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from corollary.formula.arithmetics import exactly
 from corollary.formula.ast import Expr, Name, Relation, names
 from corollary.formula.errors import ParseError, Undefined
-from corollary.formula.exact import exactly
 from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
 from corollary.messages import in_convention

@@ -14,14 +14,15 @@ from typing import Any
 
 import numpy as np
 
-from corollary.formula.arithmetics import DOUBLES, PAIRS, Arithmetic, NotAvailable, arrays, intervals, ready
+from corollary.formula.arithmetics import DOUBLES, Arithmetic, NotAvailable, arrays, ready
 from corollary.formula.ast import Expr, names
 from corollary.formula.ball import RationalPi, Undefined, certified
-from corollary.formula.double_double import PI, DoubleDouble
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank, load
 from corollary.problem.sampling import sample
+from corollary.trade.double_double import PI, DoubleDouble, root
 
+PAIRS = Arithmetic("double-double", DoubleDouble.of, PI, lambda row: {"sqrt": root, "abs": abs}.get(row.name))
 QUICK = ("X12.5", "X12.2", "X12.7", "X12.12")
 VARIANTS = 64
 
@@ -43,6 +44,21 @@ class ArithmeticRace:
     name: str
     prepare: Callable[[Formula], Any]
     values: Callable[[Formula, Any], list[float]]
+
+
+def intervals() -> Arithmetic:
+    """Pairs of doubles that hold the value between them; made when asked for, since mpmath takes a while to load."""
+    import mpmath
+
+    iv: Any = mpmath.iv
+    iv.prec = 53
+    return Arithmetic(
+        "intervals",
+        lambda value: iv.mpf(value.numerator) / iv.mpf(value.denominator),
+        iv.pi,
+        lambda row: getattr(iv, "fabs" if row.name == "abs" else row.name, None),
+        lambda a, b: a**b,
+    )
 
 
 def measured(quick: bool = False) -> list[dict[str, Any]]:

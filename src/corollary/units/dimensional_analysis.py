@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import assert_never
 
+from corollary.formula.arithmetics import constant, exactly
 from corollary.formula.ast import (
     Call,
     Expr,
@@ -23,7 +24,6 @@ from corollary.formula.ast import (
     walk,
 )
 from corollary.formula.errors import ParseError, refused
-from corollary.formula.exact import constant, exactly
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.plain_text import text
 from corollary.formula.rational_pi import RationalPi

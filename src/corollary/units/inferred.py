@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import assert_never
 
+from corollary.formula.arithmetics import constant
 from corollary.formula.ast import (
     Call,
     Expr,
@@ -22,7 +23,6 @@ from corollary.formula.ast import (
     walk,
 )
 from corollary.formula.errors import ParseError, sentence
-from corollary.formula.exact import constant
 from corollary.formula.functions import FUNCTIONS
 from corollary.units.dimension import ONE, Dimension
 from corollary.units.dimensional_analysis import dimension_of

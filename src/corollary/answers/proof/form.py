@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import reduce
 from itertools import permutations
 
+from corollary.formula.arithmetics import constant
 from corollary.formula.ast import (
     Expr,
     Negative,
@@ -20,7 +21,6 @@ from corollary.formula.ast import (
     substitute,
     walk,
 )
-from corollary.formula.exact import constant
 
 MOST_TERMS = 10
 MOST_FACTORS = 6

@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from corollary.audit.record import StatedGiven
+from corollary.formula.arithmetics import constant
 from corollary.formula.ast import Expr, Name, Relation, children, names, substitute
 from corollary.formula.ball import certified
 from corollary.formula.errors import Undefined
-from corollary.formula.exact import constant
 from corollary.formula.plain_text import text as written
 from corollary.formula.syntax import author_formula
 from corollary.units.unit import PURE

@@ -24,7 +24,7 @@ from corollary.audit.readers.straight_line import (
 from corollary.audit.record import ExerciseRecord, ForgivenError
 from corollary.audit.text_file import LARGEST_PROGRAM, text_of
 from corollary.formula.abbreviations import function_words
-from corollary.formula.exact import constant
+from corollary.formula.arithmetics import constant
 
 BLOCK_MARK = re.compile(r"(BEGIN|END)_(\w+)")
 HEREDOC = re.compile(r"<<\s*([\"']?)([A-Za-z_]\w*)\1")

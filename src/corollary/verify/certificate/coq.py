@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any, assert_never
 
+from corollary.formula.arithmetics import constant
 from corollary.formula.ast import (
     Call,
     Expr,
@@ -21,7 +22,6 @@ from corollary.formula.ast import (
     children,
     rebuilt,
 )
-from corollary.formula.exact import constant
 
 WORDS = (
     "as at by cofix do else end exists exists2 fix for forall fun if IF in let match mod open or return Set Prop SProp Type "

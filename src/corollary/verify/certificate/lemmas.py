@@ -10,6 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 from corollary.derive.solution import Solution, Unknown
+from corollary.formula.arithmetics import exactly
 from corollary.formula.ast import (
     Call,
     Expr,
@@ -24,7 +25,6 @@ from corollary.formula.ast import (
 )
 from corollary.formula.ball import certified, evaluate
 from corollary.formula.errors import Undefined
-from corollary.formula.exact import exactly
 from corollary.formula.plain_text import text
 from corollary.formula.rational_pi import RationalPi
 from corollary.polynomials.polynomial import RationalFunction, TooLarge

@@ -7,6 +7,7 @@ from fractions import Fraction
 from itertools import combinations, product
 
 from corollary.derive.solution import AppliedLaw, Solution, Unknown
+from corollary.formula.arithmetics import constant
 from corollary.formula.ast import (
     Call,
     Expr,
@@ -23,7 +24,6 @@ from corollary.formula.ast import (
     opposite,
     substitute,
 )
-from corollary.formula.exact import constant
 from corollary.formula.operators import has_operators
 from corollary.grading.assign import APART
 from corollary.grading.mistakes import own_mistakes, visible_mistakes

@@ -11,10 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from corollary.formula.arithmetics import NotAvailable, ready
+from corollary.formula.arithmetics import NotAvailable, exactly, ready
 from corollary.formula.ast import Expr, Negative, Relation, Sum, names, opposite
 from corollary.formula.ball import Undefined, evaluate, holds
-from corollary.formula.exact import exactly
 from corollary.formula.rational_pi import RationalPi
 from corollary.problem.interval_filter import INTERVALS, Interval, holding
 from corollary.verify.obligations.box import Box, always_true

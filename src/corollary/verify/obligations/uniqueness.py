@@ -7,6 +7,7 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
+from corollary.formula.arithmetics import constant, exactly
 from corollary.formula.ast import (
     Call,
     Expr,
@@ -25,7 +26,6 @@ from corollary.formula.ast import (
 )
 from corollary.formula.ball import holds
 from corollary.formula.errors import Undefined
-from corollary.formula.exact import constant, exactly
 from corollary.formula.rational_pi import RationalPi
 from corollary.polynomials.ideal import Ideal
 from corollary.polynomials.polynomial import Polynomial, TooLarge, factored

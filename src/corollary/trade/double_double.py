@@ -36,15 +36,18 @@ class DoubleDouble:
         total, left = _short_sum(total, left + small)
         return DoubleDouble(*_short_sum(total, left + least))
 
+    def __sub__(self, other: DoubleDouble) -> DoubleDouble:
+        return self + -other
+
     def __mul__(self, other: DoubleDouble) -> DoubleDouble:
         product, left = _product(self.high, other.high)
         return DoubleDouble(*_short_sum(product, left + (self.high * other.low + self.low * other.high)))
 
     def __truediv__(self, other: DoubleDouble) -> DoubleDouble:
         first = self.high / other.high
-        rest = self + -(other * DoubleDouble(first))
+        rest = self - other * DoubleDouble(first)
         second = rest.high / other.high
-        rest = rest + -(other * DoubleDouble(second))
+        rest = rest - other * DoubleDouble(second)
         return DoubleDouble(*_short_sum(first, second)) + DoubleDouble(rest.high / other.high)
 
     def __pow__(self, whole: int) -> DoubleDouble:
@@ -65,7 +68,7 @@ def root(square: DoubleDouble) -> DoubleDouble:
     guess = math.sqrt(square.high)
     if guess == 0.0:
         return DoubleDouble(0.0)
-    rest = square + -(DoubleDouble(guess) * DoubleDouble(guess))
+    rest = square - DoubleDouble(guess) * DoubleDouble(guess)
     return DoubleDouble(*_short_sum(guess, 0.5 * rest.high / guess))
 
 
