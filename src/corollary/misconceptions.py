@@ -12,6 +12,9 @@ from typing import TYPE_CHECKING, TypeAlias
 from corollary.derive.stated_words import line_of_word
 from corollary.derive.statements import Exchange, Mistake
 from corollary.formula.ast import (
+    ONE,
+    TWO,
+    ZERO,
     Expr,
     Name,
     Negative,
@@ -51,13 +54,13 @@ def sine_for_cosine(right: str, *, instead: str = "", where: Where = None) -> Mi
 def diameter_for_radius(right: str, r: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
     """The diameter in the place of the radius: `diameter_for_radius("A = pi*r^2", "r")`."""
     sentence = "You took the diameter where the radius belongs."
-    return _replaced(right, r, lambda name: Product((Number(Fraction(2)), name)), sentence, instead, where)
+    return _replaced(right, r, lambda name: Product((TWO, name)), sentence, instead, where)
 
 
 def radius_for_diameter(right: str, d: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
     """The radius in the place of the diameter."""
     sentence = "You took the radius where the diameter belongs."
-    return _replaced(right, d, lambda name: Quotient(name, Number(Fraction(2))), sentence, instead, where)
+    return _replaced(right, d, lambda name: Quotient(name, TWO), sentence, instead, where)
 
 
 def celsius_for_kelvin(right: str, T: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
@@ -70,7 +73,7 @@ def left_out(
     right: str, letter: str, what: str, *, instead: str = "", where: Where = None
 ) -> Mistake[Exchange]:
     """A term that was forgotten, as if its letter were 0: `left_out("F - m*g = m*a", "g", "the weight")`."""
-    return _replaced(right, letter, lambda _: Number(Fraction(0)), f"You left {what} out.", instead, where)
+    return _replaced(right, letter, lambda _: ZERO, f"You left {what} out.", instead, where)
 
 
 def sign_reversed(
@@ -99,14 +102,14 @@ def not_squared(right: str, letter: str, *, instead: str = "", where: Where = No
 def squared(right: str, letter: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
     """A letter squared that is not: `squared("p = m*v", "v")`."""
     sentence = f"{letter} is not squared here."
-    return _replaced(right, letter, lambda name: Power(name, Number(Fraction(2))), sentence, instead, where)
+    return _replaced(right, letter, lambda name: Power(name, TWO), sentence, instead, where)
 
 
 def half_forgotten(right: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
     """The factor ½ forgotten: `half_forgotten("K = m*v^2/2")` doubles the right side."""
     return _right_side(
         right,
-        lambda side: Product((Number(Fraction(2)), side)),
+        lambda side: Product((TWO, side)),
         "You forgot the factor one half.",
         instead,
         where,
@@ -117,7 +120,7 @@ def upside_down(right: str, *, instead: str = "", where: Where = None) -> Mistak
     """The fraction the wrong way round: `upside_down("t = d/v")` states t = v/d."""
     return _right_side(
         right,
-        lambda side: Quotient(Number(Fraction(1)), side),
+        lambda side: Quotient(ONE, side),
         "Your fraction is upside down; compare the units of both sides.",
         instead,
         where,

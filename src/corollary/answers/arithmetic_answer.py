@@ -15,7 +15,7 @@ from itertools import pairwise
 
 from corollary.formula.abbreviations import ABBREVIATIONS, arity, function_words
 from corollary.formula.arithmetics import DOUBLES, ready
-from corollary.formula.ast import Call, Expr, Name, Negative, Number, Product, Quotient, Sum, walk
+from corollary.formula.ast import Call, Expr, Name, Negative, Number, Product, Quotient, Sum, calls, walk
 from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.lexer import Found, Token, tokens
@@ -198,7 +198,7 @@ def _bare_angle(tree: Expr) -> str:
 
 
 def _has_angle(tree: Expr) -> bool:
-    return any(isinstance(node, Call) and FUNCTIONS[node.function].angle for node in walk(tree))
+    return any(FUNCTIONS[call.function].angle for call in calls(tree))
 
 
 def _no_letters(run: str, at: int) -> ParseError:

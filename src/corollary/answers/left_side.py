@@ -12,7 +12,7 @@ from functools import cache
 from corollary.answers.name import CUSTOMARY, SYMBOL, apart, is_name, is_talk, keyboard
 from corollary.answers.question import Question
 from corollary.formula.abbreviations import function_words
-from corollary.formula.ast import Call, Expr, Number, Power, Product, Quotient, walk
+from corollary.formula.ast import TWO, Call, Expr, Number, Power, Product, Quotient, walk
 from corollary.formula.ast import names as letters_of
 from corollary.formula.errors import ParseError
 from corollary.formula.symbols import GREEK
@@ -244,7 +244,7 @@ def as_formula(found: Solved, tree: Expr) -> Expr:
         case "log10":
             undone = Power(Number(Fraction(10)), tree)
         case "sqrt":
-            undone = Power(tree, Number(Fraction(2)))
+            undone = Power(tree, TWO)
         case "1/":
             undone = Quotient(Number(Fraction(1)), tree)
         case _:

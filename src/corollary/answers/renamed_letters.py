@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import cast
 
 from corollary.answers.answer import Answer, Chain, Entries, Equation, Formulas, Unclear
-from corollary.formula.ast import Expr, Name, Relation, substitute
+from corollary.formula.ast import Name, substitute
 
 
 def in_letters(answer: Answer, meant: Mapping[str, str]) -> Answer:
@@ -31,17 +31,19 @@ def in_letters(answer: Answer, meant: Mapping[str, str]) -> Answer:
 
 
 def _formulas(answer: Formulas, meant: Mapping[str, str]) -> Formulas:
-    return replace(answer, trees=tuple(_renamed(tree, meant) for tree in answer.trees))
+    letters = _as_names(meant)
+    return replace(answer, trees=tuple(substitute(tree, letters) for tree in answer.trees))
 
 
 def _step(step: Equation, meant: Mapping[str, str]) -> Equation:
+    letters = _as_names(meant)
     return replace(
         step,
-        relation=cast(Relation, _renamed(step.relation, meant)),
+        relation=substitute(step.relation, letters),
         defines=meant.get(step.defines, step.defines),
-        otherwise=None if step.otherwise is None else cast(Relation, _renamed(step.otherwise, meant)),
+        otherwise=None if step.otherwise is None else substitute(step.otherwise, letters),
     )
 
 
-def _renamed(tree: Expr, meant: Mapping[str, str]) -> Expr:
-    return substitute(tree, {letter: Name(other) for letter, other in meant.items()})
+def _as_names(meant: Mapping[str, str]) -> dict[str, Name]:
+    return {letter: Name(other) for letter, other in meant.items()}

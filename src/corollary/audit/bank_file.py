@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 
 from corollary.audit.readers.moodle_xml import moodle_records
@@ -16,8 +15,10 @@ from corollary.audit.readers.webwork import webwork_records
 from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven, overridden
 from corollary.audit.record_file import records_in
 from corollary.audit.text_file import xml_of
-from corollary.formula.ast import Expr, Name, Number, Power, Product, Quotient, names, substitute
+from corollary.formula.arithmetics import as_formula
+from corollary.formula.ast import Expr, Name, Product, Quotient, names, substitute
 from corollary.formula.plain_text import text
+from corollary.formula.rational_pi import RationalPi
 from corollary.formula.syntax import author_formula
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.units.unit import Unit, unit
@@ -223,7 +224,5 @@ def _scaled(tree: Expr, unit: Unit, *, below: bool) -> Expr:
         )
     if unit.bare:
         return tree
-    size: Expr = Number(unit.factor)
-    if unit.pi:
-        size = Product((size, Power(Name("pi"), Number(Fraction(unit.pi)))))
+    size = as_formula(RationalPi(unit.factor, unit.pi))
     return Quotient(tree, size) if below else Product((size, tree))

@@ -18,10 +18,11 @@ from corollary.formula.ast import (
     Quotient,
     Relation,
     Sum,
+    calls,
     children,
+    difference,
     names,
     substitute,
-    walk,
 )
 from corollary.formula.ball import RationalPi, evaluate
 from corollary.formula.enclosure import (
@@ -171,7 +172,7 @@ def _difference(relation: Relation) -> Expr:
         zero if isinstance(side, Number) and side.value == 0 else side
         for side in (relation.left, relation.right)
     )
-    return left if right == zero else Negative(right) if left == zero else Sum((left, Negative(right)))
+    return left if right == zero else Negative(right) if left == zero else difference(relation)
 
 
 def _target(sign: str) -> Enclosure:
@@ -187,9 +188,7 @@ def _target(sign: str) -> Enclosure:
 def periodic_arguments(tree: Expr, unknowns: Sequence[str]) -> list[Expr]:
     """What sines, cosines and tangents are taken of, where an unknown is in it."""
     return [
-        node.arguments[0]
-        for node in walk(tree)
-        if isinstance(node, Call) and node.function in PERIODIC and names(node) & set(unknowns)
+        call.arguments[0] for call in calls(tree) if call.function in PERIODIC and names(call) & set(unknowns)
     ]
 
 
@@ -204,7 +203,7 @@ def turning_letters(trees: Sequence[Expr], unknowns: Sequence[str]) -> set[str]:
 def _not_turning(tree: Expr) -> frozenset[str]:
     if isinstance(tree, Call) and tree.function in PERIODIC:
         terms = tree.arguments[0].terms if isinstance(tree.arguments[0], Sum) else tree.arguments
-        return frozenset[str]().union(*(names(each) for each in terms if not _whole_times(each)))
+        return names(*(each for each in terms if not _whole_times(each)))
     if isinstance(tree, Name):
         return frozenset({tree.name})
     return frozenset[str]().union(*map(_not_turning, children(tree)))

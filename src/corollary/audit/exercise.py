@@ -13,7 +13,7 @@ from corollary.audit.enclosed_roots import MOST_TURNS, POSSIBLE, EnclosedRoots, 
 from corollary.audit.record import ExerciseRecord, StatedGiven
 from corollary.derive.system import SystemRoot, stated, system_roots
 from corollary.formula.arithmetics import constant
-from corollary.formula.ast import Call, Power, Relation, names, walk
+from corollary.formula.ast import Power, Relation, calls, names, walk
 from corollary.formula.ball import RationalPi, certified, holds
 from corollary.formula.enclosure import Enclosure
 from corollary.formula.errors import Undefined
@@ -212,7 +212,7 @@ def contradictions(root: AdmittedRoot, within: float) -> Iterator[tuple[str, flo
 
 def _polynomial(relation: Relation) -> bool:
     """Whether algebra finds every root: there is no function and no broken power."""
-    return not any(isinstance(node, Call) for node in walk(relation)) and all(
+    return not any(calls(relation)) and all(
         (power := constant(node.exponent)) is not None and power.denominator == 1
         for node in walk(relation)
         if isinstance(node, Power)

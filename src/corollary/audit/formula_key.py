@@ -13,7 +13,8 @@ from corollary.audit.outcome import AuditedAnswer
 from corollary.audit.record import StatedGiven
 from corollary.derive.roots import NoRoot
 from corollary.derive.system import SystemRoot, system_roots
-from corollary.formula.ast import Expr, Name, Number, Power, Product, Relation, names, substitute
+from corollary.formula.arithmetics import as_formula
+from corollary.formula.ast import Expr, Relation, names, substitute
 from corollary.formula.ball import certified
 from corollary.formula.errors import ParseError, Undefined
 from corollary.formula.plain_text import text
@@ -168,9 +169,7 @@ def _with(tree: Expr | None, numbers: Mapping[str, Expr]) -> Expr | None:
 
 def exact_tree(given: StatedGiven) -> Expr:
     """A given with one value, in SI, as a formula without letters."""
-    value = exact(given)
-    number = Number(value.ratio)
-    return number if not value.pi else Product((number, Power(Name("pi"), Number(Fraction(value.pi)))))
+    return as_formula(exact(given))
 
 
 def _nowhere(

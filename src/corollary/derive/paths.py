@@ -8,7 +8,6 @@ import math
 from collections.abc import Collection, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations, product
 
@@ -17,14 +16,14 @@ import sympy
 from corollary.answers.evaluation import as_exact, number
 from corollary.derive.solution import ClosedForms, Solution, Way
 from corollary.formula.ast import (
+    ZERO,
     Call,
     Expr,
     Name,
-    Negative,
-    Number,
     Power,
     Quotient,
     Sum,
+    difference,
     names,
     substitute,
     walk,
@@ -258,7 +257,6 @@ def same(left: tuple[float, ...] | None, right: tuple[float, ...] | None) -> boo
 
 
 NO_LETTERS: Mapping[str, Expr] = {}
-ZERO = Number(Fraction(0))
 
 
 @dataclass(slots=True)
@@ -313,7 +311,7 @@ class Rules:
             if not has_operators(relation)
         }
         for relation in laws:
-            residual = Sum((relation.left, Negative(relation.right)))
+            residual = difference(relation)
             if letter in names(residual) and names(residual) - {letter} <= before:
                 for tree in inverses(residual, letter, ZERO):
                     if self.tried.agrees(tree, letter):

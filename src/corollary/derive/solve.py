@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from typing import Any
 
 import sympy
@@ -53,7 +52,7 @@ from corollary.derive.statements import (
     Step,
     Supposed,
 )
-from corollary.formula.ast import Expr, Number, Relation
+from corollary.formula.ast import ONE, Expr, Relation
 from corollary.formula.authored import NotTyped, as_expression
 from corollary.formula.from_sympy import NoTree, tree
 from corollary.laws.law import Law, sides, substitute
@@ -101,7 +100,7 @@ def _claimed(condition: Boolean | bool | str, known: Known) -> tuple[tuple[Relat
     if holds == sympy.true:
         return ()
     if holds == sympy.false:
-        one = Number(Fraction(1))
+        one = ONE
         return ((Relation("!=", one, one),),)
     return clauses(holds)
 

@@ -118,7 +118,7 @@ def introduced(found: Collection[Unknown], problem: Problem) -> list[str]:
     """A line that names the givens that occur where these are found, and an empty one; constants of nature have a line of their
     own. `problem` is in the language spoken."""
     used = frozenset[str]().union(*map(_letters_in_laws, found))
-    used |= frozenset[str]().union(*(names(tree) for each in found for tree in each.in_givens or ()))
+    used |= names(*(tree for each in found for tree in each.in_givens or ()))
     given = {each.symbol: each.meaning for each in problem.givens if each.symbol in used and not each.source}
     return _line((name, meaning) for name, meaning in given.items() if meaning)
 
@@ -275,7 +275,7 @@ def _in_laws(laws: Iterable[AppliedLaw]) -> Iterator[str]:
 def _in_rule(rule: Rule) -> frozenset[str]:
     """Every letter that a rule mentions."""
     trees = rule.trees if isinstance(rule, ClosedForms) else rule.settings.values()
-    return frozenset[str]().union(*map(names, trees))
+    return names(*trees)
 
 
 _law_name = catalogue("corollary.laws")
@@ -328,7 +328,7 @@ def worked_steps(
             else _("**First find {names}.**", names=found_first(find, solution))
         )
         letters_here = explained(find, solution, met)
-        met |= set(find.names).union(*(names(relation) for law in find.laws for relation in law.here))
+        met |= {*find.names} | names(*(relation for law in find.laws for relation in law.here))
         lines += [heading, "", *letters_here, *_unknown(find, numbers, part, known), ""]
         for name, value, unit in zip(find.names, numbers, _units(find, part), strict=True):
             in_formula = si_unit(unit.dimension) if unit.offset else unit  # a temperature in kelvin

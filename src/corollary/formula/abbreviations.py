@@ -6,10 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Sum
+from corollary.formula.ast import ONE, TWO, Call, Expr, Name, Negative, Number, Power, Product, Quotient, Sum
 from corollary.formula.functions import FUNCTIONS, SPELLINGS
 
-ONE, TWO = Number(Fraction(1)), Number(Fraction(2))
 DEGREE = Quotient(Name("pi"), Number(Fraction(180)))
 
 

@@ -25,7 +25,17 @@ from corollary.formula.errors import NotAvailable
 from corollary.formula.functions import FUNCTIONS, Function
 from corollary.formula.rational_pi import PI, Irrational, RationalPi
 
-__all__ = ["DOUBLES", "EXACT", "Arithmetic", "NotAvailable", "arrays", "constant", "exactly", "ready"]
+__all__ = [
+    "DOUBLES",
+    "EXACT",
+    "Arithmetic",
+    "NotAvailable",
+    "arrays",
+    "as_formula",
+    "constant",
+    "exactly",
+    "ready",
+]
 
 Values = Mapping[str, Any]
 Evaluation = Callable[[Values], Any]
@@ -207,6 +217,14 @@ def exactly(tree: Expr, values: Mapping[str, object]) -> RationalPi | None:
         return ready(tree, EXACT)(known)
     except (NotAvailable, Irrational, KeyError):
         return None
+
+
+def as_formula(value: RationalPi) -> Expr:
+    """The number as a formula: a fraction, times a power of pi where it has one."""
+    number, pi = Number(value.ratio), Name("pi")
+    if not value.pi:
+        return number
+    return Product((number, pi if value.pi == 1 else Power(pi, Number(Fraction(value.pi)))))
 
 
 def constant(tree: Expr) -> Fraction | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import overload
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +69,7 @@ class Relation:
     right: Expr
 
 
+ZERO, ONE, TWO = (Number(Fraction(each)) for each in range(3))
 OPPOSITE = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
 Expr = Number | Name | Negative | Sum | Product | Quotient | Power | Call | Relation
 
@@ -94,7 +96,7 @@ def children(tree: Expr) -> tuple[Expr, ...]:
 
 
 def rebuilt(tree: Expr, below: tuple[Expr, ...]) -> Expr:
-    """The same node above other parts, as many as `parts` gives."""
+    """The same node above other parts, as many as `children` gives."""
     match tree:
         case Number() | Name():
             return tree
@@ -114,9 +116,20 @@ def rebuilt(tree: Expr, below: tuple[Expr, ...]) -> Expr:
             return Relation(sign, *below)
 
 
+def map_children(tree: Expr, change: Callable[[Expr], Expr]) -> Expr:
+    """The same node with each part directly below it changed."""
+    return rebuilt(tree, tuple(map(change, children(tree))))
+
+
+def replace_child(tree: Expr, place: int, other: Expr) -> Expr:
+    """The same node with another part at one place below it."""
+    below = children(tree)
+    return rebuilt(tree, (*below[:place], other, *below[place + 1 :]))
+
+
 def mapped(tree: Expr, change: Callable[[Expr], Expr]) -> Expr:
     """Each node changed, from the leaves up."""
-    return change(rebuilt(tree, tuple(mapped(part, change) for part in children(tree))))
+    return change(map_children(tree, lambda part: mapped(part, change)))
 
 
 def cofunction(tree: Expr) -> Expr:
@@ -136,9 +149,29 @@ def walk(tree: Expr) -> Iterator[Expr]:
         left += children(part)[::-1]
 
 
-def names(tree: Expr) -> frozenset[str]:
-    """Every letter the formula uses."""
-    return frozenset(node.name for node in walk(tree) if isinstance(node, Name))
+def names(*trees: Expr) -> frozenset[str]:
+    """Every letter that the formulas use."""
+    return frozenset(node.name for tree in trees for node in walk(tree) if isinstance(node, Name))
+
+
+def calls(tree: Expr) -> Iterator[Call]:
+    """Every function in the formula with its arguments."""
+    return (node for node in walk(tree) if isinstance(node, Call))
+
+
+def unsigned(tree: Expr) -> Expr:
+    """The formula without the minus before it."""
+    return tree.term if isinstance(tree, Negative) else tree
+
+
+def negated(tree: Expr) -> Expr:
+    """The formula with a minus before it, or without the one it has."""
+    return tree.term if isinstance(tree, Negative) else Negative(tree)
+
+
+def difference(relation: Relation) -> Expr:
+    """Left side less right side."""
+    return Sum((relation.left, Negative(relation.right)))
 
 
 def folded(tree: Expr, meaning: Mapping[str, Expr]) -> Expr:
@@ -146,14 +179,18 @@ def folded(tree: Expr, meaning: Mapping[str, Expr]) -> Expr:
     name = next((name for name, part in meaning.items() if part == tree), None)
     if name is not None:
         return Name(name)
-    return rebuilt(tree, tuple(folded(part, meaning) for part in children(tree)))
+    return map_children(tree, lambda part: folded(part, meaning))
 
 
+@overload
+def substitute(tree: Relation, meaning: Mapping[str, Expr]) -> Relation: ...
+@overload
+def substitute(tree: Expr, meaning: Mapping[str, Expr]) -> Expr: ...
 def substitute(tree: Expr, meaning: Mapping[str, Expr]) -> Expr:
     """The same formula with letters replaced; nothing is simplified."""
     if isinstance(tree, Name):
         return meaning.get(tree.name, tree)
-    return rebuilt(tree, tuple(substitute(part, meaning) for part in children(tree)))
+    return map_children(tree, lambda part: substitute(part, meaning))
 
 
 def opposite(relation: Relation) -> Relation:

@@ -11,19 +11,13 @@ from typing import TypeVar
 
 from flint import arb, ctx, fmpq
 
-from corollary.formula.arithmetics import Arithmetic, Evaluation, constant, exactly, ready
+from corollary.formula.arithmetics import Arithmetic, Evaluation, as_formula, constant, exactly, ready
 from corollary.formula.ast import (
     Expr,
-    Name,
-    Negative,
-    Number,
-    Power,
-    Product,
     Relation,
-    Sum,
-    children,
+    difference,
+    map_children,
     names,
-    rebuilt,
 )
 from corollary.formula.errors import Undefined
 from corollary.formula.functions import ball_root
@@ -238,7 +232,7 @@ def _difference(relation: Relation) -> Expr:
         return cached[1]
     if len(_DIFFERENCES) >= MOST_CACHED:
         _DIFFERENCES.clear()
-    made = Sum((relation.left, Negative(relation.right)))
+    made = difference(relation)
     _DIFFERENCES[id(relation)] = relation, made
     return made
 
@@ -289,6 +283,5 @@ def _settled(tree: Expr, values: Values) -> Expr:
     """The same formula, each part whose value is known exactly replaced by it."""
     known = exactly(tree, values)
     if known is not None:
-        number = Number(known.ratio)
-        return number if known.pi == 0 else Product((number, Power(Name("pi"), Number(Fraction(known.pi)))))
-    return rebuilt(tree, tuple(_settled(part, values) for part in children(tree)))
+        return as_formula(known)
+    return map_children(tree, lambda part: _settled(part, values))

@@ -13,9 +13,8 @@ from corollary.formula.ast import (
     Product,
     Quotient,
     Sum,
-    children,
+    map_children,
     names,
-    rebuilt,
 )
 from corollary.formula.functions import FUNCTIONS
 
@@ -29,10 +28,10 @@ def degrees(number: Expr) -> Expr:
 
 def in_degrees(tree: Expr) -> Expr:
     """The formula with the bare numbers inside sin, cos and tan taken as degrees; letters stand for angles themselves."""
-    below = tuple(map(in_degrees, children(tree)))
-    if isinstance(tree, Call) and FUNCTIONS[tree.function].angle:
-        return Call(tree.function, tuple(map(_angle, below)))
-    return rebuilt(tree, below)
+    below = map_children(tree, in_degrees)
+    if isinstance(below, Call) and FUNCTIONS[below.function].angle:
+        return map_children(below, _angle)
+    return below
 
 
 def _angle(tree: Expr) -> Expr:
@@ -40,10 +39,8 @@ def _angle(tree: Expr) -> Expr:
     if not names(tree):
         return degrees(tree)
     match tree:
-        case Negative(term):
-            return Negative(_angle(term))
-        case Sum(terms):
-            return Sum(tuple(map(_angle, terms)))
+        case Negative() | Sum():
+            return map_children(tree, _angle)
         case Quotient(top, bottom) if not names(bottom):
             return Quotient(_angle(top), bottom)
         case Product(factors) if sum(bool(names(factor)) for factor in factors) == 1:

@@ -11,6 +11,7 @@ from collections.abc import Collection, Mapping
 from fractions import Fraction
 
 from corollary.formula.ast import (
+    ZERO,
     Call,
     Expr,
     Name,
@@ -20,8 +21,10 @@ from corollary.formula.ast import (
     Quotient,
     Relation,
     Sum,
+    calls,
     children,
-    rebuilt,
+    map_children,
+    names,
     walk,
 )
 from corollary.formula.functions import FUNCTIONS
@@ -39,7 +42,7 @@ BELOW = re.compile(r"d(?P<letter>[A-Za-z]\w*?)(?P<order>[2-9]?)")
 
 def has_operators(tree: Expr, among: Collection[str] = OPERATORS) -> bool:
     """Whether a formula holds what only laws may say."""
-    return any(isinstance(node, Call) and node.function in among for node in walk(tree))
+    return any(call.function in among for call in calls(tree))
 
 
 def read_operators(tree: Expr, letters: Collection[str], functions: Collection[str]) -> Expr:
@@ -73,7 +76,7 @@ def read_operators(tree: Expr, letters: Collection[str], functions: Collection[s
         case Call(function, _) if function not in FUNCTIONS:
             raise ValueError(f"{function}(…) is not a function here; write * for every product")
         case _:
-            return rebuilt(tree, tuple(map(within, children(tree))))
+            return map_children(tree, within)
 
 
 def as_stated(tree: Expr) -> Expr:
@@ -88,13 +91,12 @@ def as_stated(tree: Expr) -> Expr:
         case Call("value", (Name(function), at)):
             return Call(function, (as_stated(at),))
         case _:
-            return rebuilt(tree, tuple(map(as_stated, children(tree))))
+            return map_children(tree, as_stated)
 
 
 def bound_letters(tree: Expr) -> frozenset[str]:
     """The letters over which something is integrated."""
-    found = (node for node in walk(tree) if isinstance(node, Call) and node.function == INTEGRAL)
-    return frozenset(node.arguments[1].name for node in found if isinstance(node.arguments[1], Name))
+    return names(*(call.arguments[1] for call in calls(tree) if call.function == INTEGRAL))
 
 
 def measured(tree: Expr) -> Expr:
@@ -104,11 +106,11 @@ def measured(tree: Expr) -> Expr:
             below: Expr = by if order == 1 else Product((by,) * int(order))
             return Quotient(measured(of), below)
         case Call("integral", (of, _by, low, high)):
-            return Product((measured(of), measured(low if high == Number(Fraction(0)) else high)))
+            return Product((measured(of), measured(low if high == ZERO else high)))
         case Call("value", (function, _at)):
             return function
         case _:
-            return rebuilt(tree, tuple(map(measured, children(tree))))
+            return map_children(tree, measured)
 
 
 def _by(below: str, letters: Collection[str]) -> tuple[str, int] | None:
@@ -139,7 +141,7 @@ def _derivative(
         )
         others = [read_operators(each, letters, functions) for each in factors[:place] + factors[place + 1 :]]
         return Product((*others, found)) if others else found
-    return rebuilt(whole, tuple(read_operators(part, letters, functions) for part in children(whole)))
+    return map_children(whole, lambda part: read_operators(part, letters, functions))
 
 
 def _derived(factor: Expr, order: int, letters: Collection[str]) -> Expr | None:
@@ -177,7 +179,7 @@ def scalar_part(tree: Expr, index: int, vectors: Mapping[str, int]) -> Expr:
             second = Product((_component(one, k, vectors), _component(other, j, vectors)))
             return Sum((first, Negative(second)))
         case _:
-            return rebuilt(tree, tuple(scalar_part(part, index, vectors) for part in children(tree)))
+            return map_children(tree, lambda part: scalar_part(part, index, vectors))
 
 
 def is_vector(tree: Expr, vectors: Mapping[str, int]) -> bool:
@@ -211,7 +213,7 @@ def _component(tree: Expr, index: int, vectors: Mapping[str, int]) -> Expr:
         case Call(function, _) if function in VECTOR_OPERATORS:
             return scalar_part(tree, index, vectors)
         case _:
-            return rebuilt(tree, tuple(_component(part, index, vectors) for part in children(tree)))
+            return map_children(tree, lambda part: _component(part, index, vectors))
 
 
 def _sum_of(one: Expr, other: Expr, indices: range, vectors: Mapping[str, int]) -> Expr:

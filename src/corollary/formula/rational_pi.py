@@ -78,13 +78,13 @@ def _bounded(ratio: Fraction, pi: int) -> RationalPi:
 def _root(ratio: Fraction, degree: int) -> Fraction:
     if ratio < 0:
         raise Irrational
-    top, bottom = _whole_root(ratio.numerator, degree), _whole_root(ratio.denominator, degree)
+    top, bottom = whole_root(ratio.numerator, degree), whole_root(ratio.denominator, degree)
     if top**degree != ratio.numerator or bottom**degree != ratio.denominator:
         raise Irrational
     return Fraction(top, bottom)
 
 
-def _whole_root(number: int, degree: int) -> int:
+def whole_root(number: int, degree: int) -> int:
     """The largest whole number whose power does not exceed `number` (Newton from above)."""
     if degree == 2:
         return math.isqrt(number)

@@ -124,7 +124,7 @@ def _dependencies(key: Key, asked: Unknown) -> list[Given]:
 
 def _letters(key: Key, asked: Unknown) -> frozenset[str]:
     if asked.in_givens is not None:
-        return frozenset[str]().union(*map(names, asked.in_givens))
+        return names(*asked.in_givens)
     return frozenset[str]().union(*(letters_of(step.local) for step in steps_to(key.solution, asked, set())))
 
 
@@ -200,7 +200,7 @@ def _check(key: Key, part: Part, asked: Unknown, matters: Sequence[Given]) -> st
 def _of_choice(key: Key, choice: SolvedChoice) -> Iterator[str]:
     yield _("For each option ask which law would have to be broken if it were true.")
     conditions = [each for ways in choice.options.values() for way in ways for each in way]
-    letters = frozenset[str]().union(*map(names, conditions))
+    letters = names(*conditions)
     used = [_described(key, each) for each in key.variant.problem.givens if each.symbol in letters]
     if used:
         yield _("What counts here: {quantities}.", quantities=_listed(used))

@@ -12,7 +12,7 @@ from itertools import combinations, islice
 from corollary.answers.evaluation import BITS, as_exact, balls, numbers
 from corollary.answers.expected import FollowThrough, Values
 from corollary.derive.solution import ClosedForms, Rule, Solution, Way
-from corollary.formula.ast import Expr, Name, Negative, Sum, children, rebuilt
+from corollary.formula.ast import Expr, Name, Sum, children, negated, replace_child
 from corollary.formula.ball import Undefined, precision_of
 from corollary.grading.key import Key, Truth
 from corollary.grading.mistakes import slips_of_input, wrong_values
@@ -211,13 +211,11 @@ def _with_a_sign_turned(trees: tuple[Expr, ...]) -> Iterator[tuple[Expr, ...]]:
 
 
 def _turns(tree: Expr) -> Iterator[Expr]:
-    below = children(tree)
-    for place, part in enumerate(below):
+    for place, part in enumerate(children(tree)):
         if isinstance(tree, Sum):
-            other = part.term if isinstance(part, Negative) else Negative(part)
-            yield Sum((*below[:place], other, *below[place + 1 :]))
+            yield replace_child(tree, place, negated(part))
         for other in _turns(part):
-            yield rebuilt(tree, (*below[:place], other, *below[place + 1 :]))
+            yield replace_child(tree, place, other)
 
 
 def degenerate(values: Values, truth: Truth, *, named: bool = False) -> bool:

@@ -13,6 +13,7 @@ from corollary.answers.tolerance import ROUNDING_NOISE, within
 from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown, Ways, once
 from corollary.formula.arithmetics import exactly
 from corollary.formula.ast import (
+    ONE,
     Call,
     Expr,
     Name,
@@ -23,6 +24,7 @@ from corollary.formula.ast import (
     Quotient,
     Sum,
     children,
+    map_children,
     names,
 )
 from corollary.formula.ball import Ball, RationalPi, Undefined, certified, evaluate, holds, precision_of
@@ -50,7 +52,7 @@ def is_counted(solution: Solution, place: int, part: Part, known: Mapping[str, R
         return True
     if part.unit.text != "1" or not _whole_by_its_steps(solution, place):
         return False
-    used = frozenset[str]().union(*map(names, solution.unknowns[place].in_givens or ()))
+    used = names(*(solution.unknowns[place].in_givens or ()))
     return all(_is_whole(known[name]) for name in used if name in known)
 
 
@@ -58,7 +60,7 @@ def is_counted(solution: Solution, place: int, part: Part, known: Mapping[str, R
 def _whole_by_its_steps(solution: Solution, place: int) -> bool:
     problem, find = solution.problem, solution.unknowns[place]
     trees = find.in_givens or ()
-    used = frozenset[str]().union(*map(names, trees))
+    used = names(*trees)
     if not all(names(tree) or _is_stated(name, find) for name, tree in zip(find.names, trees, strict=True)):
         return False
     counts = {given.symbol for given in problem.givens if _counts(given)}
@@ -153,10 +155,8 @@ def _added(tree: Expr) -> Expr:
             return Number(abs(value))
         case Negative(term):
             return _added(term)
-        case Sum(terms):
-            return Sum(tuple(map(_added, terms)))
-        case Product(factors):
-            return Product(tuple(map(_added, factors)))
+        case Sum() | Product():
+            return map_children(tree, _added)
         case Quotient(top, bottom):
             return Quotient(_added(top), bottom)
         case Power(base, Number(exponent)) if exponent > 0:
@@ -169,7 +169,7 @@ def _added(tree: Expr) -> Expr:
         case Call("acos" | "asin"):
             return BELOW_A_ROOT
         case Call(function) if function in FUNCTIONS and FUNCTIONS[function].dimension is None:
-            return Number(Fraction(1))
+            return ONE
         case _:
             return tree
 
@@ -450,7 +450,7 @@ def propagated(
     balls = [evaluate(tree, dict[str, RationalPi | Ball](known) | uncertain, BITS) for tree in rule.trees]
     with precision_of(BITS):
         errors = tuple(float(abs(ball - Ball(x)).upper()) for ball, x in zip(balls, values, strict=True))
-    letters = frozenset[str]().union(*(names(tree) for tree in rule.trees))
+    letters = names(*rule.trees)
     bound = all(
         stated.bound
         for find, stated in zip(solution.unknowns, before, strict=False)

@@ -150,7 +150,7 @@ def _authors_way(key: Key, truth: Truth) -> Iterator[CarriedAnswer]:
             continue
         trees = tuple(substitute(tree, meaning) for tree in find.local.trees)
         if place == truth.place:
-            letters = frozenset[str]().union(*map(names, trees))
+            letters = names(*trees)
             earlier = tuple(dict.fromkeys(part for name, part in asked.items() if name in letters))
             if earlier:
                 yield CarriedAnswer(earlier, trees)

@@ -27,7 +27,7 @@ def number_features(key: Key) -> dict[str, dict[str, float]]:
 def _features(key: Key, part: Part, truth: Truth) -> list[tuple[str, float]]:
     values = key.variant.values
     trees = key.find(truth).in_givens or ()
-    used = frozenset[str]().union(*map(names, trees)) & values.keys() or values.keys()
+    used = names(*trees) & values.keys() or values.keys()
     in_unit = [float(part.unit.from_si(value)) for value in truth.values]
     largest = max(map(abs, in_unit))
     found = [

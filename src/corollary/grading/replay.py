@@ -178,7 +178,7 @@ def uses(find: Unknown) -> frozenset[str]:
 def letters_of(rule: Rule) -> frozenset[str]:
     """Every letter that a rule mentions."""
     trees = rule.trees if isinstance(rule, ClosedForms) else rule.settings.values()
-    return frozenset[str]().union(*map(names, trees))
+    return names(*trees)
 
 
 def steps_to(solution: Solution, asked: Unknown, known: Set[str]) -> list[Unknown]:

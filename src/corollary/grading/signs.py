@@ -10,7 +10,7 @@ from corollary.answers.components import are_axes
 from corollary.answers.direction import SIZE
 from corollary.answers.expected import Values
 from corollary.derive.solution import ClosedForms, Rule, Solution, once
-from corollary.formula.ast import Call, Expr, Number, Power, Sum
+from corollary.formula.ast import TWO, Call, Expr, Number, Power, Sum
 from corollary.formula.ball import Undefined, certified
 from corollary.problem.part import Part
 from corollary.problem.sampling import sample
@@ -71,7 +71,7 @@ def _is_length(solution: Solution, place: int) -> bool:
 def _root_of_squares(tree: Expr) -> bool:
     match tree:
         case Call("sqrt", (Sum(terms),)) | Power(Sum(terms), Number(Fraction(numerator=1, denominator=2))):
-            return all(isinstance(each, Power) and each.exponent == Number(Fraction(2)) for each in terms)
+            return all(isinstance(each, Power) and each.exponent == TWO for each in terms)
         case Call("abs"):
             return True
         case _:

@@ -9,10 +9,10 @@ from fractions import Fraction
 
 from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
 from corollary.formula.ast import (
+    TWO,
     Call,
     Expr,
     Name,
-    Negative,
     Number,
     Power,
     Product,
@@ -20,15 +20,17 @@ from corollary.formula.ast import (
     Sum,
     children,
     names,
-    rebuilt,
+    negated,
+    replace_child,
     substitute,
+    unsigned,
 )
 from corollary.formula.plain_text import text
 from corollary.grading.replay import steps_to
 from corollary.units.unit import PURE, Dimension
 
 TRIGONOMETRIC = ("sin", "cos", "tan")
-TWO, PI = Number(Fraction(2)), Name("pi")
+PI = Name("pi")
 POWERS_OF_TEN = (-3, -2, 2, 3)
 Letters = Mapping[str, Sequence[str]]
 Build = Callable[[Expr], Expr]
@@ -109,7 +111,7 @@ def _changes_of_step(solution: Solution, step: Unknown, trees: tuple[Expr, ...])
         for name, dimension in zip(find.names, find.dimensions, strict=True):
             if dimension != PURE.dimension:
                 kinds[name] = dimension, False
-    used = frozenset[str]().union(*map(names, trees)) & kinds.keys()
+    used = names(*trees) & kinds.keys()
     alike = {
         name: [other for other in kinds if other != name and kinds[other] == kinds[name]] for name in used
     }
@@ -154,7 +156,7 @@ def changes(trees: tuple[Expr, ...], alike: Letters, measured: Sequence[str]) ->
 
 def _changes(tree: Expr, alike: Letters, measured: Sequence[str]) -> Iterator[tuple[str, str, Expr]]:
     check = "Check the sign: the answer points the other way."
-    yield "the sign of the whole turned", check, _negated(tree)
+    yield "the sign of the whole turned", check, negated(tree)
     yield from _factors("the whole", tree, lambda part: part)
     for letter in sorted(names(tree)):
         for other in alike.get(letter, ()):
@@ -174,10 +176,6 @@ def _changes(tree: Expr, alike: Letters, measured: Sequence[str]) -> Iterator[tu
 
 def _with(tree: Expr, letter: str, other: Expr) -> Expr:
     return substitute(tree, {letter: other})
-
-
-def _negated(tree: Expr) -> Expr:
-    return tree.term if isinstance(tree, Negative) else Negative(tree)
 
 
 def _factors(what: str, tree: Expr, build: Build) -> Iterator[tuple[str, str, Expr]]:
@@ -218,13 +216,12 @@ def _inside(tree: Expr, build: Build, alike: Letters) -> Iterator[tuple[str, str
                 yield words, f"Check whether it is ${other}$ that belongs there.", build(Name(other))
         case _:
             pass
-    below = children(tree)
-    for place, part in enumerate(below):
+    for place, part in enumerate(children(tree)):
         if isinstance(tree, Power) and (place == 1 or isinstance(part, Name)):
             continue
 
         def around(inner: Expr, place: int = place) -> Expr:
-            return build(rebuilt(tree, (*below[:place], inner, *below[place + 1 :])))
+            return build(replace_child(tree, place, inner))
 
         yield from _inside(part, around, alike)
 
@@ -236,8 +233,8 @@ def _of_term(
         left = (*terms[:place], *other, *terms[place + 1 :])
         return build(left[0] if len(left) == 1 else Sum(left))
 
-    written = text(term.term if isinstance(term, Negative) else term)
+    written = text(unsigned(term))
     signs = "Check the signs: one of the terms counts the other way."
-    yield f"the sign of {written} turned", signs, instead(_negated(term))
+    yield f"the sign of {written} turned", signs, instead(negated(term))
     yield f"{written} left out", "Something is missing: ask what else counts here.", instead()
     yield from _factors(written, term, instead)

@@ -23,6 +23,7 @@ from corollary.formula.ast import (
     Quotient,
     Relation,
     Sum,
+    calls,
     names,
     walk,
 )
@@ -125,9 +126,9 @@ class Translation:
         self, trees: Iterable[Expr], known: Mapping[str, Bounds], seen: Mapping[str, Bounds] | None = None
     ) -> None:
         trees = list(trees)
-        letters = sorted(frozenset[str]().union(*map(names, trees)) | {"pi"})
+        letters = sorted(names(*trees) | {"pi"})
         nodes = [node for tree in trees for node in walk(tree)]
-        count = min(MOST_MADE, 2 * sum(map(_makes_a_letter, nodes)))
+        count = min(MOST_MADE, 2 * sum(map(makes_a_letter, nodes)))
         self.context = context((*letters, *(f"#{place}" for place in range(count)), "#spare"))
         self.known = Signs({"pi": POSITIVE} | {name: known[name] for name in letters if name in known})
         self.seen = Signs(self.known | dict(seen or {}))
@@ -139,9 +140,10 @@ class Translation:
         self._free = list(range(len(letters), self.spare))
         halves = any(
             isinstance(inner, Quotient) or (isinstance(inner, Number) and inner.value.denominator > 1)
-            for node in nodes
-            if isinstance(node, Call) and node.function in ("sin", "cos", "tan")
-            for inner in walk(node)
+            for tree in trees
+            for call in calls(tree)
+            if call.function in ("sin", "cos", "tan")
+            for inner in walk(call)
         )
         self._angles = Angles(self, 2 if halves else 1)
 
@@ -267,7 +269,7 @@ class Translation:
         return self.made((function, *map(str, arguments)))[0]
 
 
-def _makes_a_letter(node: Expr) -> bool:
+def makes_a_letter(node: Expr) -> bool:
     """Whether this is no quotient of polynomials."""
     match node:
         case Call():

@@ -6,14 +6,12 @@ import re
 from collections.abc import Collection, Mapping
 from fractions import Fraction
 
-from corollary.formula.arithmetics import constant
+from corollary.formula.arithmetics import as_formula, constant
 from corollary.formula.ast import (
     Call,
     Expr,
     Name,
     Negative,
-    Number,
-    Power,
     Product,
     Relation,
     Sum,
@@ -85,9 +83,8 @@ def _relation(text: str, units: Mapping[str, Unit]) -> tuple[Relation, str]:
         raise ValueError(
             f"a number in {scale} is a temperature, and here a difference belongs: write it in K, or in Δ{scale}"
         )
-    relation = substitute(tree, {name: _tree(value) for name, (value, _unit) in quantities.items()})
-    assert isinstance(relation, Relation)
-    return relation, text
+    found = {name: as_formula(value) for name, (value, _unit) in quantities.items()}
+    return substitute(tree, found), text
 
 
 def _misused_temperature(tree: Relation, temperatures: Collection[str]) -> str:
@@ -150,10 +147,3 @@ def angle_measured(tree: Expr, units: Mapping[str, Unit]) -> str:
             return next(filter(None, (angle_measured(part, units) for part in parts)), "")
         case _:
             return ""
-
-
-def _tree(value: RationalPi) -> Expr:
-    number = Number(value.ratio)
-    if not value.pi:
-        return number
-    return Product((number, Name("pi") if value.pi == 1 else Power(Name("pi"), Number(Fraction(value.pi)))))

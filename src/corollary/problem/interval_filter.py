@@ -9,7 +9,7 @@ from fractions import Fraction
 import numpy as np
 
 from corollary.formula.arithmetics import Arithmetic, NotAvailable, ready
-from corollary.formula.ast import Call, Negative, Relation, Sum, names, walk
+from corollary.formula.ast import Relation, calls, difference, names
 from corollary.formula.ball import RationalPi, Undefined, holds
 from corollary.formula.functions import FUNCTIONS, Function
 from corollary.formula.syntax import author_formula
@@ -84,7 +84,7 @@ def _of_rounded(row: Function) -> Callable[..., Interval] | None:
         return _sqrt
     of_array = getattr(np, row.array or row.name, None)
     slopes = [author_formula(derivative) for derivative in row.derivatives]
-    called = {node.function for slope in slopes for node in walk(slope) if isinstance(node, Call)}
+    called = {call.function for slope in slopes for call in calls(slope)}
     bounded = all(name == "sqrt" or FUNCTIONS[name].slope for name in called)
     if of_array is None or not (row.slope or (slopes and bounded and not row.branches)):
         return None
@@ -140,7 +140,7 @@ def _gap(relation: Relation, letters: Mapping[str, GivenAtPoints]) -> Interval:
     """Left side minus right side; NaN with an infinite bound where this arithmetic lacks a function or overflows."""
     try:
         numbers = {name: _doubles(letter) for name, letter in letters.items()}
-        return ready(Sum((relation.left, Negative(relation.right))), INTERVALS)(numbers)
+        return ready(difference(relation), INTERVALS)(numbers)
     except (NotAvailable, OverflowError):
         return Interval(np.asarray(np.nan), np.asarray(np.inf))
 

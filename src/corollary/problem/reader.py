@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from pathlib import Path
 
-from corollary.formula.ast import Name, Number, Relation
+from corollary.formula.ast import ZERO, Name, Relation
 from corollary.problem.conditions import relations
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.figure import is_svg, read_lines
@@ -72,9 +72,7 @@ def read_problem(path: Path) -> Problem:
         for condition in _conditions(path, node, units, hard, complaints)
     ]
     conditions += [
-        Condition(
-            Relation(">", Name(given.symbol), Number(Fraction(0))), f"{given.symbol} > 0", True, given.line
-        )
+        Condition(Relation(">", Name(given.symbol), ZERO), f"{given.symbol} > 0", True, given.line)
         for given in constants
     ]
     (figure, figure_line), (alt, alt_line) = front.line_of("figure", ""), front.line_of("alt", "")

@@ -18,9 +18,9 @@ from corollary.formula.ast import (
     Quotient,
     Relation,
     Sum,
-    children,
+    map_children,
     names,
-    rebuilt,
+    unsigned,
     walk,
 )
 from corollary.formula.errors import ParseError, refused
@@ -74,7 +74,7 @@ def _whatever_the_exponents(tree: Expr, dimensions: Mapping[str, Dimension]) -> 
     """
     found: list[Dimension] = []
     exponents = [each.exponent for each in walk(tree) if isinstance(each, Power)]
-    inside = frozenset[str]().union(*map(names, exponents))
+    inside = names(*exponents)
     letters = sorted(name for name in inside if name == "pi" or dimensions[name] == ONE)
     if len(letters) > len(EXPONENTS[0]):
         return None
@@ -88,12 +88,11 @@ def _whatever_the_exponents(tree: Expr, dimensions: Mapping[str, Dimension]) -> 
 
 
 def _with_exponents(tree: Expr, values: Mapping[str, RationalPi]) -> Expr:
-    below = tuple(_with_exponents(each, values) for each in children(tree))
     if isinstance(tree, Power) and constant(tree.exponent) is None:
         power = exactly(tree.exponent, values)
         if power is not None and not power.pi:
-            return Power(below[0], Number(power.ratio))
-    return rebuilt(tree, below)
+            return Power(_with_exponents(tree.base, values), Number(power.ratio))
+    return map_children(tree, lambda part: _with_exponents(part, values))
 
 
 def _dimension(tree: Expr, of: Mapping[str, Dimension]) -> Found:
@@ -138,9 +137,8 @@ def _same(terms: tuple[Expr, ...], of: Mapping[str, Dimension], unlike: str) -> 
 
 
 def _described(tree: Expr, dimension: Dimension) -> str:
-    bare = tree.term if isinstance(tree, Negative) else tree
     unit = show(si_unit(dimension)) or _("a plain number")
-    return f"{text(bare)} ({unit})"
+    return f"{text(unsigned(tree))} ({unit})"
 
 
 def _check_dimensionless(tree: Expr, of: Mapping[str, Dimension], misplaced: str, function: str = "") -> None:

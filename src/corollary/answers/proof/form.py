@@ -46,7 +46,6 @@ def in_full(relation: Relation, meaning: Mapping[str, Expr]) -> Relation | None:
         if len(list(walk(relation))) > MOST_NODES:
             return None
         replaced = substitute(relation, meaning)
-        assert isinstance(replaced, Relation)
         if replaced == relation:
             return relation
         relation = replaced

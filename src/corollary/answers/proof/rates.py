@@ -6,10 +6,12 @@ import re
 import unicodedata
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 from corollary.answers.answer import Equation
 from corollary.formula.ast import (
+    ONE,
+    TWO,
+    ZERO,
     Call,
     Expr,
     Name,
@@ -18,7 +20,6 @@ from corollary.formula.ast import (
     Power,
     Product,
     Quotient,
-    Relation,
     Sum,
     names,
     substitute,
@@ -30,7 +31,6 @@ from corollary.formula.syntax import parse
 
 MOST = 12  # derivatives in one derivation
 STAND_IN = "D_t"  # a letter that is read like any other; the derivative's own name is none
-ZERO, ONE = Number(Fraction(0)), Number(Fraction(1))
 BY_TIME = r"\s*/\s*(?:\(\s*d\s?t\s*\)|d\s?t(?![A-Za-z0-9_]))"
 OPEN = re.compile(rf"(?<![A-Za-z0-9_])(?:\(?\(?\s*d\s*\)?{BY_TIME}\s*\)?\s*|d\s*)(?=[(\[])")
 OF_LETTER = re.compile(
@@ -168,7 +168,7 @@ def derivative(tree: Expr) -> Expr | None:
             return Sum(
                 (
                     Quotient(above, bottom),
-                    Negative(Quotient(Product((top, below)), Power(bottom, Number(Fraction(2))))),
+                    Negative(Quotient(Product((top, below)), Power(bottom, TWO))),
                 )
             )
         case Power(base, Number(power)):
@@ -179,7 +179,7 @@ def derivative(tree: Expr) -> Expr | None:
             return Product((Number(power), less, moved))
         case Call("sqrt", (inside,)):
             moved = derivative(inside)
-            return None if moved is None else Quotient(moved, Product((Number(Fraction(2)), tree)))
+            return None if moved is None else Quotient(moved, Product((TWO, tree)))
         case _:
             return None
 
@@ -210,7 +210,7 @@ def with_known_rates(
     found = [_replaced(step, {}) for step in steps]
     for _again in range(len(meanings) + 1):
         known: dict[str, Expr] = {}
-        for name in frozenset[str]().union(*(names(step.relation) for step in found)):
+        for name in names(*(step.relation for step in found)):
             letter = letter_of(name)
             moved = (
                 rates.get(letter)
@@ -226,9 +226,7 @@ def with_known_rates(
 
 
 def _replaced(step: Equation, meaning: Mapping[str, Expr]) -> Equation:
-    relation, otherwise = (
-        None if each is None else substitute(each, meaning) for each in (step.relation, step.otherwise)
+    otherwise = None if step.otherwise is None else substitute(step.otherwise, meaning)
+    return replace(
+        step, relation=substitute(step.relation, meaning), otherwise=otherwise, defines="", undefined=""
     )
-    assert isinstance(relation, Relation)
-    assert otherwise is None or isinstance(otherwise, Relation)
-    return replace(step, relation=relation, otherwise=otherwise, defines="", undefined="")

@@ -209,7 +209,7 @@ def _carried(carried: CarriedAnswer, each: PartScheme, key: Key, prompt: Prompt)
     """The formula by which a part follows from the student's own answers, with this sheet's numbers in it."""
     assert each.truth is not None
     letters = {part.id: part.heading_letter for part in prompt.problem.parts}
-    used = frozenset[str]().union(*map(names, carried.trees))
+    used = names(*carried.trees)
     asked = {name for find in key.solution.unknowns if find.part in carried.earlier for name in find.names}
     numbers = given_numbers(key.variant)
     for find, values in zip(key.solution.unknowns, key.values, strict=True):

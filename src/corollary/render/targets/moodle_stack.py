@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 from xml.sax.saxutils import escape
 
-from corollary.formula.ast import Call, Expr, Number, Relation, children, names, rebuilt, walk
+from corollary.formula.ast import Call, Expr, Number, Relation, map_children, names, walk
 from corollary.formula.plain_text import text
 from corollary.render.exports import CarriedPart, ItemFiles, Target
 from corollary.render.lms_item import LmsItem, NotAsked
@@ -40,14 +40,13 @@ def stack_formula(tree: Expr) -> str:
 
 
 def _renamed(tree: Expr) -> Expr:
-    below = tuple(map(_renamed, children(tree)))
     match tree:
         case Call(function):
-            return Call(FUNCTIONS[function], below)
+            return map_children(replace(tree, function=FUNCTIONS[function]), _renamed)
         case Number():
             return replace(tree, figures=0)
         case _:
-            return rebuilt(tree, below)
+            return map_children(tree, _renamed)
 
 
 FORMULA_LOST = "the dimension of what is typed is not looked at; a constant off by a root, by pi/180 or by rounding is wrong"

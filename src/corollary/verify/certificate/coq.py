@@ -9,6 +9,9 @@ from typing import Any, assert_never
 
 from corollary.formula.arithmetics import constant
 from corollary.formula.ast import (
+    ONE,
+    TWO,
+    ZERO,
     Call,
     Expr,
     Name,
@@ -19,8 +22,7 @@ from corollary.formula.ast import (
     Quotient,
     Relation,
     Sum,
-    children,
-    rebuilt,
+    map_children,
 )
 
 WORDS = (
@@ -48,7 +50,7 @@ class Roots:
 
     def without(self, tree: Expr) -> Expr:
         """The formula with these letters. Raises NotAlgebraic."""
-        below = rebuilt(tree, tuple(map(self.without, children(tree))))
+        below = map_children(tree, self.without)
         match below:
             case Call("sqrt", (inner,)):
                 return self._root(inner)
@@ -56,17 +58,13 @@ class Roots:
                 return self._root(inner)
             case Call("sin", (angle,)) if (half := _half(angle)) is not None:
                 parts = (self.without(Call(name, (half,))) for name in ("sin", "cos"))
-                return Product((Number(Fraction(2)), *parts))
+                return Product((TWO, *parts))
             case Call("cos", (angle,)) if (half := _half(angle)) is not None:
                 sine, cosine = (self.without(Call(name, (half,))) for name in ("sin", "cos"))
                 return Sum((Product((cosine, cosine)), Negative(Product((sine, sine)))))
             case Call("sin" | "cos", (angle,)):
                 sine, cosine = (self._letter(Call(name, (angle,))) for name in ("sin", "cos"))
-                circle = Relation(
-                    "=",
-                    Sum((Power(sine, Number(Fraction(2))), Power(cosine, Number(Fraction(2))))),
-                    Number(Fraction(1)),
-                )
+                circle = Relation("=", Sum((Power(sine, TWO), Power(cosine, TWO))), ONE)
                 if circle not in self.known:
                     self.known.append(circle)
                 return self._letter(below)
@@ -83,7 +81,7 @@ class Roots:
         letter = self._letter(tree)
         if fresh:
             self.known.append(Relation("=", Product((letter, letter)), inner))
-            self.known.append(Relation(">=", letter, Number(Fraction(0))))
+            self.known.append(Relation(">=", letter, ZERO))
         return letter
 
     def _letter(self, tree: Call) -> Name:
@@ -97,10 +95,9 @@ class Roots:
 
 def _half(angle: Expr) -> Expr | None:
     """Half of an angle that is written as a double one."""
-    two = Number(Fraction(2))
-    if not isinstance(angle, Product) or two not in angle.factors:
+    if not isinstance(angle, Product) or TWO not in angle.factors:
         return None
-    place = angle.factors.index(two)
+    place = angle.factors.index(TWO)
     rest = (*angle.factors[:place], *angle.factors[place + 1 :])
     return rest[0] if len(rest) == 1 else Product(rest)
 

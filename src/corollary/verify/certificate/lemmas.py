@@ -12,10 +12,10 @@ from typing import Any
 from corollary.derive.solution import Solution, Unknown
 from corollary.formula.arithmetics import exactly
 from corollary.formula.ast import (
+    ZERO,
     Call,
     Expr,
     Name,
-    Number,
     Product,
     Quotient,
     Relation,
@@ -194,9 +194,9 @@ class StepInCoq:
             *(Relation("=", Name(k), v) for k, v in equations.meant.items()),
         ]
         _, conditions = box.tied(every)
-        letters = frozenset[str]().union(*map(names, (*every, *conditions)))
+        letters = names(*every, *conditions)
         self.givens = [name for name in box.axes if name in letters]
-        in_laws = frozenset[str]().union(*map(names, equations.laws))
+        in_laws = names(*equations.laws)
         self.unknowns = [name for name in equations.unknowns if name in in_laws]
         self.roots = Roots(letters)
         put = self.roots.without
@@ -229,7 +229,7 @@ class StepInCoq:
             *self.roots.known,
         ]
         self.translation = Translation([*trees, *map(Name, self.unknowns)], {})
-        if "pi" in frozenset[str]().union(*map(names, trees)):
+        if "pi" in names(*trees):
             self.bounds.append("3 < PI")
 
     def holds(self, name: str) -> str:
@@ -276,9 +276,7 @@ class StepInCoq:
         bottoms = dict.fromkeys(
             node.bottom for law in self.laws for node in walk(law) if isinstance(node, Quotient)
         )
-        return [
-            Relation("!=", each, Number(Fraction(0))) for each in bottoms if names(each) & set(self.unknowns)
-        ]
+        return [Relation("!=", each, ZERO) for each in bottoms if names(each) & set(self.unknowns)]
 
     def _lemma(self, name: str, given: Sequence[str], goal: str, proof: str, unknowns: Sequence[str]) -> str:
         letters = [
@@ -312,7 +310,7 @@ class StepInCoq:
 
     def _put_into_roots(self) -> dict[str, Expr]:
         """Unknowns that stand in a root, and that a law states outright."""
-        inside = frozenset[str]().union(*map(names, self.roots.known))
+        inside = names(*self.roots.known)
         found = {name: self._stated_outright(name) for name in self.unknowns if name in inside}
         return {name: self.laws[place].right for name, place in found.items() if place is not None}
 

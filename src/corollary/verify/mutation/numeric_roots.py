@@ -13,7 +13,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from corollary.formula.arithmetics import DOUBLES, Evaluation, NotAvailable, ready
-from corollary.formula.ast import Call, Expr, Relation, Sum, names, walk
+from corollary.formula.ast import Expr, Relation, Sum, calls, names
 from corollary.formula.operators import has_operators
 
 FAILURES = (ValueError, ZeroDivisionError, OverflowError, TypeError, KeyError)
@@ -35,7 +35,7 @@ class NumericEquations:
         if any(has_operators(each) for each in relations):
             raise NotAvailable("derivatives and integrals are not solved in numbers")
         self.unknowns = tuple(unknowns)
-        self.letters = frozenset[str]().union(*map(names, relations)) - {"pi"}
+        self.letters = names(*relations) - {"pi"}
         self.sides: list[tuple[Evaluation, Evaluation]] = [
             (_in_doubles(each.left), _in_doubles(each.right)) for each in relations
         ]
@@ -81,13 +81,8 @@ def _terms(side: Expr) -> tuple[Expr, ...]:
 
 
 def _in_a_sine(relation: Relation, unknowns: Sequence[str]) -> bool:
-    calls = (
-        node for side in (relation.left, relation.right) for node in walk(side) if isinstance(node, Call)
-    )
     return any(
-        each.function in ("sin", "cos", "tan") and names(argument) & {*unknowns}
-        for each in calls
-        for argument in each.arguments
+        call.function in ("sin", "cos", "tan") and names(call) & {*unknowns} for call in calls(relation)
     )
 
 

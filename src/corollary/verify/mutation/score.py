@@ -18,6 +18,9 @@ from corollary.derive.solve import solvers
 from corollary.derive.statements import Confirm, Step
 from corollary.formula.arithmetics import NotAvailable
 from corollary.formula.ast import (
+    ONE,
+    TWO,
+    ZERO,
     Call,
     Expr,
     Name,
@@ -31,7 +34,9 @@ from corollary.formula.ast import (
     children,
     cofunction,
     names,
-    rebuilt,
+    negated,
+    replace_child,
+    unsigned,
 )
 from corollary.formula.ball import Undefined
 from corollary.formula.errors import ParseError
@@ -63,15 +68,14 @@ from corollary.verify.mutation.spots import (
 )
 
 FACTORS: tuple[tuple[str, Expr], ...] = (
-    ("factor 2", Number(Fraction(2))),
-    ("factor 1/2", Quotient(Number(Fraction(1)), Number(Fraction(2)))),
+    ("factor 2", TWO),
+    ("factor 1/2", Quotient(ONE, TWO)),
     ("factor 3", Number(Fraction(3))),
     ("factor 4", Number(Fraction(4))),
     ("factor pi", Name("pi")),
     ("prefix 10^3", Number(Fraction(1000))),
-    ("prefix 10^-3", Quotient(Number(Fraction(1)), Number(Fraction(1000)))),
+    ("prefix 10^-3", Quotient(ONE, Number(Fraction(1000)))),
 )
-ONE, NOTHING = Number(Fraction(1)), Number(Fraction(0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,10 +103,10 @@ def bends(law: Law) -> Iterator[Bend]:
 def _of_sides(whole: Relation) -> Iterator[tuple[str, Relation]]:
     """Of the right side, and of the left where it is more than one letter: a factor there is its inverse on the right."""
     left, right = whole.left, whole.right
-    if right != NOTHING:
+    if right != ZERO:
         for kind, bent in _of(right, top=True):
             yield kind, Relation("=", left, bent)
-        if isinstance(right, Sum) and left != NOTHING:
+        if isinstance(right, Sum) and left != ZERO:
             for kind, bent in _of_term(right):
                 yield kind, Relation("=", left, bent)
     if not isinstance(left, Name):
@@ -118,10 +122,9 @@ def _of(tree: Expr, *, top: bool) -> Iterator[tuple[str, Expr]]:
     match tree:
         case Sum(terms):
             for place, term in enumerate(terms):
-                before, after = terms[:place], terms[place + 1 :]
                 for kind, bent in _of_term(term):
-                    yield kind, Sum((*before, bent, *after))
-                rest = (*before, *after)
+                    yield kind, replace_child(tree, place, bent)
+                rest = (*terms[:place], *terms[place + 1 :])
                 yield "term dropped", rest[0] if len(rest) == 1 else Sum(rest)
         case Power(base, Number(value)):
             for step in (1, -1):
@@ -132,22 +135,21 @@ def _of(tree: Expr, *, top: bool) -> Iterator[tuple[str, Expr]]:
             pass
     if isinstance(tree, Call) and tree.function in OPERATORS:
         return  # what stands in a derivative is no factor
-    below = children(tree)
-    for place, part in enumerate(below):
+    for place, part in enumerate(children(tree)):
         if isinstance(tree, Power) and place == 1:
             continue
         bent_parts = _of(part, top=False)
         if isinstance(part, Name) and isinstance(tree, Product | Quotient):
             bent_parts = iter([("exponent", _power(part, Fraction(2))), ("exponent", ONE)])
         for kind, bent in bent_parts:
-            yield kind, rebuilt(tree, (*below[:place], bent, *below[place + 1 :]))
+            yield kind, replace_child(tree, place, bent)
 
 
 def _of_term(term: Expr) -> Iterator[tuple[str, Expr]]:
-    if term == NOTHING:
+    if term == ZERO:
         return
-    inner = term.term if isinstance(term, Negative) else term
-    yield "sign", inner if isinstance(term, Negative) else Negative(inner)
+    inner = unsigned(term)
+    yield "sign", negated(term)
     for kind, factor in FACTORS:
         product = Product((factor, *(inner.factors if isinstance(inner, Product) else (inner,))))
         yield kind, Negative(product) if isinstance(term, Negative) else product

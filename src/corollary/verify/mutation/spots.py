@@ -96,9 +96,9 @@ def _found(place: int, entry: Finding, find: Unknown) -> FindInDoubles:
     needs = frozenset[str]()
     if isinstance(find.local, ClosedForms):
         rule = [ready(each, DOUBLES) for each in find.local.trees]
-        needs = needs.union(*map(names, find.local.trees))
+        needs = needs | names(*find.local.trees)
     else:
-        needs = needs.union(*map(names, find.local.settings.values()))
+        needs = needs | names(*find.local.settings.values())
     if isinstance(entry, Optimum):  # its rule is in the givens, and takes no notice of letters found before
         needs |= {str(each) for each in entry.of.free_symbols}
     where = None if find.where is None else [compared(each) for each in find.where]

@@ -9,6 +9,9 @@ from itertools import combinations, product
 from corollary.derive.solution import AppliedLaw, Solution, Unknown
 from corollary.formula.arithmetics import constant
 from corollary.formula.ast import (
+    ONE,
+    TWO,
+    ZERO,
     Call,
     Expr,
     Name,
@@ -30,8 +33,6 @@ from corollary.grading.mistakes import own_mistakes, visible_mistakes
 from corollary.grading.rounding import MOST_TOLERANCE
 from corollary.grading.signs import size_asked
 from corollary.verify.obligations.obligation import Clause, Equations, Obligation
-
-ZERO, ONE, TWO = (Number(Fraction(each)) for each in (0, 1, 2))
 
 
 def existing(solution: Solution) -> Iterator[Obligation]:
@@ -257,14 +258,14 @@ def _only_root(find: Unknown, found: Found) -> Obligation:
         return Obligation("one root", claim, line, open="its condition is not a relation")
     here = [relation for law in find.laws for relation in law.here]
     meant = dict(zip(find.names, find.in_givens, strict=True)) | dict(find.aside)
-    needs: list[Clause] = [(_put(each, meant | dict(found)),) for each in find.where]
+    needs: list[Clause] = [(substitute(each, meant | dict(found)),) for each in find.where]
     rejected = [each.values for each in find.others if each.worded]
     others = [each.values for each in find.others if not each.worded and each.values]
     partial = [_not_admitted(other, meant, find.where, found) for other in others]
     equations = None
     if not any(map(has_operators, here)) and all(rejected):
-        where = [_put(each, found) for each in find.where]
-        laws = tuple(_put(each, found) for each in here)
+        where = [substitute(each, found) for each in find.where]
+        laws = tuple(substitute(each, found) for each in here)
         equations = Equations(laws, tuple(meant), meant, tuple(rejected), tuple(where), tuple(others))
     return Obligation(
         "one root", claim, line, tuple(needs), equations, tuple(partial), open="" if equations else NOT_FOUND
@@ -273,7 +274,7 @@ def _only_root(find: Unknown, found: Found) -> Obligation:
 
 def _not_admitted(other: Found, meant: Found, where: tuple[Relation, ...], found: Found) -> Clause:
     """That another root is the one that is meant, breaks a condition, or has no value: a relation that is never true says so."""
-    broken = tuple(opposite(_put(each, dict(other) | dict(found))) for each in where)
+    broken = tuple(opposite(substitute(each, dict(other) | dict(found))) for each in where)
     no_value = (
         () if where and len(other) == 1 else tuple(Relation("!=", each, each) for each in other.values())
     )
@@ -284,10 +285,6 @@ def _same(other: Found, meant: Found) -> Clause:
     """That another root of one unknown is there the one that is meant: a double root."""
     (name, *more) = other
     return () if more or name not in meant else (Relation("=", other[name], meant[name]),)
-
-
-def _put(relation: Relation, meaning: Found) -> Relation:
-    return Relation(relation.sign, substitute(relation.left, meaning), substitute(relation.right, meaning))
 
 
 def apart(solution: Solution) -> Iterator[Obligation]:

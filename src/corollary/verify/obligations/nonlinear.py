@@ -129,7 +129,7 @@ def only_root(box: Box, equations: Equations) -> bool:
     roots = [equations.meant, *equations.rejected]
     _, conditions = box.tied(every)
     trees: list[Expr] = [tree for root in roots for tree in root.values()]
-    free = frozenset[str]().union(*map(names, (*every, *trees))) - box.axes.keys() - {"pi"}
+    free = names(*every, *trees) - box.axes.keys() - {"pi"}
     if free - set(equations.unknowns) or any(root.keys() < free for root in roots):
         return False
     try:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from corollary.formula.arithmetics import NotAvailable, exactly, ready
-from corollary.formula.ast import Expr, Negative, Relation, Sum, names, opposite
+from corollary.formula.ast import Expr, Relation, difference, names, opposite
 from corollary.formula.ball import Undefined, evaluate, holds
 from corollary.formula.rational_pi import RationalPi
 from corollary.problem.interval_filter import INTERVALS, Interval, holding
@@ -136,7 +136,7 @@ def _certain(need: Relation, at: dict[str, Interval], count: int) -> np.ndarray:
 
 @cache
 def _gap(need: Relation) -> Callable[[Mapping[str, Any]], Any]:
-    return ready(Sum((need.left, Negative(need.right))), INTERVALS)
+    return ready(difference(need), INTERVALS)
 
 
 def _halved(box: Box, low: Places, high: Places, letters: list[str]) -> tuple[Places, Places]:

@@ -7,8 +7,9 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from corollary.formula.arithmetics import constant, exactly
+from corollary.formula.arithmetics import exactly
 from corollary.formula.ast import (
+    ZERO,
     Call,
     Expr,
     Name,
@@ -19,8 +20,8 @@ from corollary.formula.ast import (
     Relation,
     Sum,
     children,
+    map_children,
     names,
-    rebuilt,
     substitute,
     walk,
 )
@@ -29,11 +30,10 @@ from corollary.formula.errors import Undefined
 from corollary.formula.rational_pi import RationalPi
 from corollary.polynomials.ideal import Ideal
 from corollary.polynomials.polynomial import Polynomial, TooLarge, factored
-from corollary.polynomials.translate import Translation
+from corollary.polynomials.translate import Translation, makes_a_letter
 from corollary.verify.obligations.box import Box
 from corollary.verify.obligations.obligation import Clause, Equations
 
-ZERO = Number(Fraction(0))
 INVERTIBLE = frozenset({"exp", "ln", "log10", "sqrt", "atan", "asin", "acos", "sinh", "tanh"})
 LARGEST_SYSTEM = 6  # unknowns: a determinant of n rows has up to n! terms
 MOST_MINORS = 20
@@ -101,8 +101,7 @@ def fulfils(
     bits nothing speaks against it."""
     try:
         for each in relations:
-            put_in = Relation(each.sign, substitute(each.left, root), substitute(each.right, root))
-            found = holds(put_in, values)
+            found = holds(substitute(each, root), values)
             if found is False or (found is None and each.sign != "="):
                 return False
     except (Undefined, KeyError):
@@ -120,7 +119,7 @@ class PolynomialSystem:
         self.unknowns = tuple(unknowns)
         self.letters: dict[Expr, str] = {}
         opened = [self.opened(each) for each in laws]
-        if any(_makes_a_letter(node) and names(node) & set(unknowns) for law in opened for node in walk(law)):
+        if any(makes_a_letter(node) and names(node) & set(unknowns) for law in opened for node in walk(law)):
             raise NotPolynomial
         translation = Translation([*opened, *map(Name, unknowns)], {})
         tops = [
@@ -200,9 +199,9 @@ class PolynomialSystem:
 
     def opened(self, tree: Expr) -> Expr:
         """The formula with a letter for each root, sine and the like of givens alone."""
-        if _makes_a_letter(tree) and not names(tree) & set(self.unknowns):
+        if makes_a_letter(tree) and not names(tree) & set(self.unknowns):
             return Name(self.letters.setdefault(tree, f"@{len(self.letters)}"))
-        return rebuilt(tree, tuple(map(self.opened, children(tree))))
+        return map_children(tree, self.opened)
 
     def tree(self, polynomial: Polynomial, meant: bool = True) -> Expr:
         """The polynomial as a formula, with what its letters are `meant` to be."""
@@ -267,7 +266,7 @@ def _complete(system: PolynomialSystem, box: Box, equations: Equations) -> bool:
 def _outermost(laws: Sequence[Relation], unknowns: Sequence[str]) -> Call | None:
     """The one invertible function that holds the only unknown."""
     inside = {
-        node for law in laws for node in walk(law) if _makes_a_letter(node) and names(node) & set(unknowns)
+        node for law in laws for node in walk(law) if makes_a_letter(node) and names(node) & set(unknowns)
     }
     outer = [
         each for each in inside if not any(each is not other and each in set(walk(other)) for other in inside)
@@ -280,15 +279,7 @@ def _outermost(laws: Sequence[Relation], unknowns: Sequence[str]) -> Call | None
 def _exchanged(tree: Expr, part: Expr, other: Expr) -> Expr:
     if tree == part:
         return other
-    return rebuilt(tree, tuple(_exchanged(each, part, other) for each in children(tree)))
-
-
-def _makes_a_letter(tree: Expr) -> bool:
-    """Whether this is no quotient of polynomials."""
-    if isinstance(tree, Power):
-        power = constant(tree.exponent)
-        return power is None or power.denominator > 1
-    return isinstance(tree, Call)
+    return map_children(tree, lambda each: _exchanged(each, part, other))
 
 
 def _terms(polynomial: Polynomial) -> dict[tuple[int, ...], int]:
