@@ -20,6 +20,7 @@ from corollary.formula.ast import (
     Relation,
     Sum,
     names,
+    unsigned,
 )
 from corollary.formula.errors import NotAvailable
 from corollary.formula.functions import FUNCTIONS, Function
@@ -84,53 +85,54 @@ def ready(tree: Expr, arithmetic: Arithmetic) -> Evaluation:
     Its parts are made ready in the order in which they are evaluated. Rounded is what an operation on letters gives; a sum or
     a product is one, however many terms it has, and a change of sign is none.
     """
-    rounded = arithmetic.rounded
 
-    def made(part: Expr) -> Evaluation:
-        if rounded is None or isinstance(part, Number | Name):
-            return ready(part, arithmetic)
+    def result(tree: Expr) -> Evaluation:
+        match tree:
+            case Number(value):
+                return arithmetic.literal(value)
+            case Name("pi"):
+                return lambda at: at.get("pi", arithmetic.pi)
+            case Name(name):
+                return lambda at: at[name]
+            case Negative(term):
+                inner = result(term)
+                return lambda at: -inner(at)
+            case Sum(terms):
+                first, *others = terms
+                added = [(isinstance(each, Negative), unsigned(each)) for each in others]
+                return _total(operand(first), [(minus, operand(each)) for minus, each in added])
+            case Product(factors):
+                return _multiplied([operand(factor) for factor in factors])
+            case Quotient(top, bottom):
+                return arithmetic.quotient(operand(top), operand(bottom))
+            case Power(base, exponent):
+                return arithmetic.raised(operand(base), exponent, operand)
+            case Call(function, arguments):
+                apply = arithmetic.column(FUNCTIONS[function])
+                if apply is None:
+                    raise NotAvailable(f"{arithmetic.name} has no {function}")
+                inside = [operand(argument) for argument in arguments]
+                if len(inside) == 1:
+                    (only,) = inside
+                    return lambda at: apply(only(at))
+                return lambda at: apply(*[each(at) for each in inside])
+            case Relation():
+                raise NotAvailable("a comparison has no number as its value")
+            case _:
+                assert_never(tree)
+
+    def written_down(part: Expr) -> Evaluation:
+        """What another operation goes on from, rounded."""
         if isinstance(part, Negative):
-            inner = made(part.term)
+            inner = written_down(part.term)
             return lambda at: -inner(at)
-        return ready(part, arithmetic) if names(part) <= {"pi"} else rounded(ready(part, arithmetic))
+        if rounded is None or isinstance(part, Name) or names(part) <= {"pi"}:
+            return result(part)
+        return rounded(result(part))
 
-    match tree:
-        case Number(value):
-            return arithmetic.literal(value)
-        case Name("pi"):
-            return lambda at: at.get("pi", arithmetic.pi)
-        case Name(name):
-            return lambda at: at[name]
-        case Negative(term):
-            inner = ready(term, arithmetic)
-            return lambda at: -inner(at)
-        case Sum(terms):
-            first, *others = terms
-            return _total(
-                made(first),
-                [
-                    (True, made(each.term)) if isinstance(each, Negative) else (False, made(each))
-                    for each in others
-                ],
-            )
-        case Product(factors):
-            return _multiplied([made(factor) for factor in factors])
-        case Quotient(top, bottom):
-            return arithmetic.quotient(made(top), made(bottom))
-        case Power(base, exponent):
-            return arithmetic.raised(made(base), exponent, made)
-        case Call(function, arguments):
-            apply, inside = arithmetic.column(FUNCTIONS[function]), [made(argument) for argument in arguments]
-            if apply is None:
-                raise NotAvailable(f"{arithmetic.name} has no {function}")
-            if len(inside) == 1:
-                (only,) = inside
-                return lambda at: apply(only(at))
-            return lambda at: apply(*[each(at) for each in inside])
-        case Relation():
-            raise NotAvailable("a comparison has no number as its value")
-        case _:
-            assert_never(tree)
+    rounded = arithmetic.rounded
+    operand = result if rounded is None else written_down
+    return result(tree)
 
 
 # Two parts are written out: most sums and products have no more, and formulas are evaluated by the million. Nothing is added in
@@ -229,7 +231,11 @@ def as_formula(value: RationalPi) -> Expr:
 
 def constant(tree: Expr) -> Fraction | None:
     """The value of a formula without letters, where it is a fraction."""
-    if isinstance(tree, Number):
-        return tree.value
-    found = exactly(tree, {})
-    return found.ratio if found is not None and found.pi == 0 else None
+    match tree:  # the usual ones at once: every power of a formula is asked for
+        case Number(value):
+            return value
+        case Name():
+            return None
+        case _:
+            found = exactly(tree, {})
+            return found.ratio if found is not None and found.pi == 0 else None
