@@ -50,7 +50,8 @@ class Arithmetic:
     number to another that is not whole. `rounded` is given each evaluation whose result another operation goes on from, and
     gives the one to go on from instead (None: results are taken as they are).
 
-    The methods make evaluations from those of their parts; an arithmetic with rules of its own overrides them.
+    The last three make evaluations where an arithmetic has rules of its own: of a fraction, of a quotient, of a power, whose
+    exponent `made` makes an evaluation of.
     """
 
     name: str
@@ -59,24 +60,9 @@ class Arithmetic:
     column: Callable[[Function], Callable[..., Any] | None]
     power: Callable[[Any, Any], Any] | None = None
     rounded: Callable[[Evaluation], Evaluation] | None = None
-
-    def literal(self, value: Fraction) -> Evaluation:
-        number = self.number(value)
-        return lambda at: number
-
-    def quotient(self, top: Evaluation, bottom: Evaluation) -> Evaluation:
-        return lambda at: top(at) / bottom(at)
-
-    def raised(self, base: Evaluation, exponent: Expr, made: Callable[[Expr], Evaluation]) -> Evaluation:
-        """The base to an exponent, which `made` makes an evaluation of where its value is not whole."""
-        fixed, power = constant(exponent), self.power
-        if fixed is not None and fixed.denominator == 1:
-            whole = fixed.numerator
-            return lambda at: base(at) ** whole
-        if power is None:
-            raise NotAvailable(f"{self.name} has no broken powers")
-        above = made(exponent)
-        return lambda at: power(base(at), above(at))
+    literal: Callable[[Fraction], Evaluation] | None = None
+    quotient: Callable[[Evaluation, Evaluation], Evaluation] | None = None
+    raised: Callable[[Evaluation, Expr, Callable[[Expr], Evaluation]], Evaluation] | None = None
 
 
 def ready(tree: Expr, arithmetic: Arithmetic) -> Evaluation:
@@ -89,7 +75,10 @@ def ready(tree: Expr, arithmetic: Arithmetic) -> Evaluation:
     def result(tree: Expr) -> Evaluation:
         match tree:
             case Number(value):
-                return arithmetic.literal(value)
+                if arithmetic.literal is not None:
+                    return arithmetic.literal(value)
+                number = arithmetic.number(value)
+                return lambda at: number
             case Name("pi"):
                 return lambda at: at.get("pi", arithmetic.pi)
             case Name(name):
@@ -104,9 +93,22 @@ def ready(tree: Expr, arithmetic: Arithmetic) -> Evaluation:
             case Product(factors):
                 return _multiplied([operand(factor) for factor in factors])
             case Quotient(top, bottom):
-                return arithmetic.quotient(operand(top), operand(bottom))
+                above, below = operand(top), operand(bottom)
+                if arithmetic.quotient is not None:
+                    return arithmetic.quotient(above, below)
+                return lambda at: above(at) / below(at)
             case Power(base, exponent):
-                return arithmetic.raised(operand(base), exponent, operand)
+                if arithmetic.raised is not None:
+                    return arithmetic.raised(operand(base), exponent, operand)
+                below, fixed = operand(base), constant(exponent)
+                if fixed is not None and fixed.denominator == 1:
+                    whole = fixed.numerator
+                    return lambda at: below(at) ** whole
+                power = arithmetic.power
+                if power is None:
+                    raise NotAvailable(f"{arithmetic.name} has no broken powers")
+                above = operand(exponent)
+                return lambda at: power(below(at), above(at))
             case Call(function, arguments):
                 apply = arithmetic.column(FUNCTIONS[function])
                 if apply is None:
@@ -189,14 +191,10 @@ def arrays() -> Arithmetic:
     return Arithmetic("float64 arrays", float, math.pi, column, np.power)
 
 
-class _Exact(Arithmetic):
-    """Fractions times powers of pi; an exponent is evaluated as any other part is."""
-
-    __slots__ = ()
-
-    def raised(self, base: Evaluation, exponent: Expr, made: Callable[[Expr], Evaluation]) -> Evaluation:
-        above = made(exponent)
-        return lambda at: base(at) ** above(at)
+def _exact_power(base: Evaluation, exponent: Expr, made: Callable[[Expr], Evaluation]) -> Evaluation:
+    """The exponent is evaluated as any other part is."""
+    above = made(exponent)
+    return lambda at: base(at) ** above(at)
 
 
 def _exact(row: Function) -> Callable[..., RationalPi]:
@@ -209,7 +207,7 @@ def _exact(row: Function) -> Callable[..., RationalPi]:
     return apply
 
 
-EXACT = _Exact("fractions times powers of pi", RationalPi, PI, _exact)
+EXACT = Arithmetic("fractions times powers of pi", RationalPi, PI, _exact, raised=_exact_power)
 
 
 def exactly(tree: Expr, values: Mapping[str, object]) -> RationalPi | None:

@@ -27,43 +27,45 @@ MOST_CACHED = 1024
 ROOTS_UP_TO = 64
 
 
-class _Balls(Arithmetic):
-    """Balls at the precision that is set; a division by zero raises Undefined."""
+def _number(value: Fraction) -> arb:
+    return arb(fmpq(value.numerator, value.denominator))
 
-    __slots__ = ()
 
-    def literal(self, value: Fraction) -> Evaluation:
-        if value.denominator == 1 and value.numerator.bit_length() <= 64:
-            whole = arb(value.numerator)
-            return lambda at: whole
-        ratio = fmpq(value.numerator, value.denominator)
-        return lambda at: arb(ratio)  # rounded anew at each precision
+def _literal(value: Fraction) -> Evaluation:
+    """Rounded anew at each precision, unless it is a short whole number."""
+    if value.denominator == 1 and value.numerator.bit_length() <= 64:
+        whole = arb(value.numerator)
+        return lambda at: whole
+    ratio = fmpq(value.numerator, value.denominator)
+    return lambda at: arb(ratio)
 
-    def quotient(self, top: Evaluation, bottom: Evaluation) -> Evaluation:
-        def run(at: Mapping[str, arb]) -> arb:
-            below = bottom(at)
-            if below.is_zero():
-                raise Undefined("division by zero")
-            return top(at) / below
 
-        return run
+def _quotient(top: Evaluation, bottom: Evaluation) -> Evaluation:
+    def run(at: Mapping[str, arb]) -> arb:
+        below = bottom(at)
+        if below.is_zero():
+            raise Undefined("division by zero")
+        return top(at) / below
 
-    def raised(self, base: Evaluation, exponent: Expr, made: Callable[[Expr], Evaluation]) -> Evaluation:
-        fixed = constant(exponent)
-        if fixed is None or fixed.denominator > ROOTS_UP_TO or abs(fixed.numerator) >= 1 << 20:
-            above = made(exponent)
-            return lambda at: _power(base(at), above(at))
-        up, degree = fixed.numerator, fixed.denominator
+    return run
 
-        def run(at: Mapping[str, arb]) -> arb:
-            ball = base(at)
-            if up < 0 and ball.is_zero():
-                raise Undefined("division by zero")
-            if degree > 1:
-                ball = ball_root(ball, degree)
-            return ball**up
 
-        return run
+def _raised(base: Evaluation, exponent: Expr, made: Callable[[Expr], Evaluation]) -> Evaluation:
+    fixed = constant(exponent)
+    if fixed is None or fixed.denominator > ROOTS_UP_TO or abs(fixed.numerator) >= 1 << 20:
+        above = made(exponent)
+        return lambda at: _power(base(at), above(at))
+    up, degree = fixed.numerator, fixed.denominator
+
+    def run(at: Mapping[str, arb]) -> arb:
+        ball = base(at)
+        if up < 0 and ball.is_zero():
+            raise Undefined("division by zero")
+        if degree > 1:
+            ball = ball_root(ball, degree)
+        return ball**up
+
+    return run
 
 
 def _power(below: arb, above: arb) -> arb:
@@ -76,11 +78,10 @@ def _power(below: arb, above: arb) -> arb:
     return arb(0) if above > 0 else arb(1) if above.is_zero() else arb("nan")
 
 
-def _number(value: Fraction) -> arb:
-    return arb(fmpq(value.numerator, value.denominator))
-
-
-BALLS = _Balls("balls", _number, None, lambda row: row.ball)
+BALLS = Arithmetic(
+    "balls", _number, None, lambda row: row.ball, literal=_literal, quotient=_quotient, raised=_raised
+)
+"""At the precision that is set; a division by zero raises Undefined."""
 
 
 @dataclass(frozen=True, slots=True)
