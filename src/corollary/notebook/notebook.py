@@ -27,7 +27,7 @@ from corollary.notebook.packing import catalogues, modules
 from corollary.notebook.worksheet import Exercise, Prompt, Worksheet
 from corollary.problem.dates import in_words
 from corollary.units.unit_table import rows_of_others
-from corollary.version import __version__
+from corollary.version import DISTRIBUTION, __version__
 
 _ = catalogue(__name__)
 
@@ -102,7 +102,7 @@ def _versions(types: tuple[str, ...]) -> dict[str, str]:
     """The packages that the code comes from, each with its version."""
     others = {folder(name).partition(".")[0] for name in types} - {"corollary"}
     owners = dict(packages_distributions()) if others else dict[str, list[str]]()
-    return {"corollary": __version__} | {
+    return {DISTRIBUTION: __version__} | {
         owner: version(owner) for package in sorted(others) for owner in owners.get(package, [])
     }
 
