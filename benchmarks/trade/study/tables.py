@@ -17,7 +17,7 @@ def of(document: dict[str, Any]) -> str:
     runs = from_rows(document["runs"])
     found = curves(runs)
     families = [family for family in FAMILIES if any(key[0] == family for key in found)]
-    head = f"Made at commit {document['commit']}; {document['machine']}; {document['draws']} draws of each family; {document['seconds']} s of the processor."
+    head = f"# Tables of the trade\n\n**For programmers.** Here is what each method costs at each accuracy.\n\nMade at commit {document['commit']}; {document['machine']}; {document['draws']} draws of each family; {document['seconds']} s of the processor."
     text = [head, ""]
     for family in families:
         text += [

@@ -113,7 +113,7 @@ command(
     CODE,
     path("--cases", text='A JSON list of {"given": {…}, "answers": {…}}.', required=True),
     BANK,
-    OF_COURSE,
+    path("--course", text="Look for the problem first in the banks of this course's sets."),
     flag("--reveal", "Feedback may give the right values."),
     JSON,
 )
