@@ -47,7 +47,7 @@ def test_every_page_has_a_kind():
 
 
 VERB = re.compile(
-    "(Accept|Ask|Audit|Choose|Collect|Complete|Compose|Confirm|Correct|Distinguish|Export|Give|Grade|Make|Mark|Practise|Print"
+    "(Accept|Ask|Audit|Choose|Collect|Complete|Compose|Confirm|Connect|Correct|Distinguish|Export|Give|Grade|Make|Mark|Practise|Print"
     "|Read|See|Share|Show|State|Translate|Use|Verify|Work|Write)\\b"
 )
 
