@@ -75,7 +75,7 @@ def test_an_answer_type_without_its_halves(installed):
     ):
         answer_type("tint")
     with pytest.raises(
-        UnknownAnswerType, match=r"there is no answer type hue; there are value, .*shade, tint"
+        UnknownAnswerType, match=r"there is no answer type hue; choose one of value, .*shade, tint"
     ):
         answer_type("hue")
 

@@ -81,7 +81,7 @@ def test_a_constant_keeps_its_printed_zeros(problem):
 @pytest.mark.parametrize(
     ("constants", "words"),
     [
-        ("[G, q]", "constants: q is not known; there are c, h, hbar"),
+        ("[G, q]", "constants: q is not known; choose one of c, h, hbar"),
         ("[G, r]", "r is not known"),
         ("R", None),
     ],

@@ -38,7 +38,9 @@ def test_table_and_picture(capsys, tmp_path):
 
 
 def test_a_scene_nobody_races_on():
-    with pytest.raises(Refusal, match="no trade is measured for a scene called 'rockets'; there are cradle"):
+    with pytest.raises(
+        Refusal, match="no trade is measured for a scene called 'rockets'; choose one of cradle"
+    ):
         trade.run(["rockets"], None, True, True)
 
 

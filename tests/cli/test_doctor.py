@@ -56,6 +56,8 @@ def test_another_package_with_files_in_our_module_is_named(course: Path, tmp_pat
     about.mkdir(parents=True)
     (about / "METADATA").write_text("Metadata-Version: 2.1\nName: corollary\nVersion: 0.1.0a4\n")
     (about / "RECORD").write_text("corollary/__init__.py,,\n")
+    (about.parent / "corollary").mkdir()  # some readers of RECORD leave out missing files
+    (about.parent / "corollary" / "__init__.py").touch()
     monkeypatch.syspath_prepend(str(about.parent))
     status, found = doctor()
     assert status == 1

@@ -309,12 +309,12 @@ def test_hostile_archives_hurt_nobody_else(course: Path, tmp_path: Path) -> None
     found = collected(course, tmp_path / "none.zip", tmp_path / "all.zip")
     assert set(taken(course)) == {"ada"}
     whys = {each.file.rpartition("/")[2]: each.why for each in found.arrivals if each.outcome != ACCEPTED}
-    assert "no archive that can be opened" in whys["none.zip"]
+    assert "not an archive that can be opened" in whys["none.zip"]
     assert "a name that leads out" in next(each.why for each in found.arrivals if each.file.startswith(".."))
     assert "is a link" in whys["link.ipynb"]
     assert "password" in whys["locked.ipynb"]
     assert "holds 65537 files" in whys["many.zip"]
-    assert "no archive that can be opened" in whys["torn.zip"]
+    assert "not an archive that can be opened" in whys["torn.zip"]
     assert any("larger than 20 MB" in why for why in whys.values())
     assert not list(tmp_path.glob("submitted")) + list(course.parent.glob("submitted"))
 

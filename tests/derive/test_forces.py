@@ -153,5 +153,5 @@ def test_a_letter_that_laws_needed_besides_is_a_magnitude(tmp_path):
 
 
 def test_a_magnitude_that_is_not_found_before_is_named(tmp_path):
-    with pytest.raises(NotDerivable, match="f is neither given nor found before"):
+    with pytest.raises(NotDerivable, match="f is neither given nor derived before"):
         solved(tmp_path, 'force("a", f, "up")', 'along("up", law("Balance", "F = m*g", F=f))')

@@ -93,7 +93,7 @@ WHERE = 'return derivation(step(p, "Square.", law("Square", "p^2 = m^2*v^2"), an
         (STEP.format("2j"), "is complex"),
         (STEP.format("True"), "a truth or a condition"),
         (STEP.format("'1.2'"), "without quotation marks"),
-        (STEP.format("None"), "no number and no formula"),
+        (STEP.format("None"), "neither a number nor a formula"),
         (STEP.format("m > v"), "a truth or a condition"),
         (STEP.format("__import__('math').sqrt(m)"), "take sqrt, sin, exp, pi and the like from sympy"),
         (STEP.format("__import__('numpy').sqrt(m)"), "take sqrt, sin, exp, pi and the like from sympy"),

@@ -183,7 +183,7 @@ WHICH = "## Which? {#a .choice}\n\n- (a) one\n- (b) two\n"
 @pytest.mark.parametrize(
     ("body", "words"),
     [
-        ('choice("a", "So.", a=v > 2)', "its options are a, b; give each of them"),
+        ('choice("a", "So.", a=v > 2)', "its options are a, b; give a condition for each of them"),
         ('choice("a", "So.", a=v > 2, b=v <= 2, c=False)', "its options are a, b"),
         ('choice("a", "So.", a=sympy.Piecewise((v, m > 1)) > 2, b=True)', "Piecewise"),
         ('step(p, "So.", momentum(p, m, v), answers="a")', "part a is .choice; answer it with choice(…)"),

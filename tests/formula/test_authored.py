@@ -182,11 +182,11 @@ def test_every_kind_of_number_is_read_as_typed(typed, exact):
     ("made", "remedy"),
     [
         (1 / 3, "Rational(1, 3)"), (2**0.5, "sqrt(2)"), (math.pi, "1*pi"), (math.pi / 180 * 1.0, "Rational(1, 180)*pi"),
-        (math.sqrt(0.3), "sqrt(Rational(3, 10))"), (math.exp(0.1), "exact formula"), (math.nan, "no number"), (1j, "complex"),
+        (math.sqrt(0.3), "sqrt(Rational(3, 10))"), (math.exp(0.1), "exact formula"), (math.nan, "a number"), (1j, "complex"),
         (1 / 3 * a, "Rational(1, 3)"), (a**0.5 * 2**0.5, "sqrt(2)"), (sympy.sin(0.3) * a, "exact formula"), (a * 1j, "complex"),
-        (a / sympy.Integer(0), "no number"), (sympy.zoo * a, "no number"), (sympy.sqrt(-2) * a, "complex"),
-        ("1.2*a", "without quotation marks"), (True, "a truth"), (a > b, "a condition"), (None, "no number"), ([1.2], "no number"),
-        (np.array([0.1, 0.2]), "no number"), (np.True_, "no number"), (sympy.Matrix([1]), "no number"), (a & b, "a condition"),
+        (a / sympy.Integer(0), "a number"), (sympy.zoo * a, "a number"), (sympy.sqrt(-2) * a, "complex"),
+        ("1.2*a", "without quotation marks"), (True, "a truth"), (a > b, "a condition"), (None, "a number"), ([1.2], "a number"),
+        (np.array([0.1, 0.2]), "a number"), (np.True_, "a number"), (sympy.Matrix([1]), "a number"), (a & b, "a condition"),
     ],
 )  # fmt: skip
 def test_what_is_no_number_that_was_typed_is_refused(made, remedy):

@@ -230,7 +230,7 @@ def test_verify_says_all_of_it_and_goes_on(run, bank):
         (["key", "X1.1", "--cases", "object.json", "--json"], ["object.json must hold a JSON list"]),
         (["read", "--cases", "object.json", "--json"], ["object.json must hold a JSON list"]),
         (["read", "--json"], ["give an answer to read, or --cases FILE"]),
-        (["scene", "pool", "--json"], ["There is no scene 'pool'; there are absorbed_drop"]),
+        (["scene", "pool", "--json"], ["There is no scene 'pool'; choose one of absorbed_drop"]),
         (["scene", "cradle", "--set", "M=1", "--json"], ["'M' is not among its settings"]),
         (["scene", "cradle", "--set", "m=-1", "--json"], ["must be more than 0"]),
         (["scene", "cradle", "--set", "m=heavy", "--json"], ["write it as name=number"]),
@@ -500,7 +500,7 @@ def test_a_command_line_that_is_wrong(run, line):
     ("argv", "words"),
     [
         (["key", "X9.9", "--json"], "no problem is called X9.9"),
-        (["list", "--bank", "nowhere"], "nowhere is no bank"),
+        (["list", "--bank", "nowhere"], "nowhere is not a bank"),
     ],
 )
 def test_through_the_installed_command(argv, words, tmp_path):

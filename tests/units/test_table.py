@@ -56,7 +56,7 @@ def test_another_test_s_units_are_gone():
     [
         (("T", "kg"), "the unit T: T means T already"),
         (("q", "kg", "1", "", "newton"), "the unit q: newton means N already"),
-        (("q", "kg V"), "no product of base units"),
+        (("q", "kg V"), "not a product of base units"),
     ],
 )
 def test_a_row_that_will_not_do_changes_nothing(row, words, table_restored):

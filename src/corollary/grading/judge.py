@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -18,7 +18,7 @@ from corollary.answers.registry import BUILT_IN, answer_type, judging
 from corollary.answers.renamed_letters import in_letters
 from corollary.answers.tolerance import last_place, same_value
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict
-from corollary.formula.ast import Negative
+from corollary.formula.ast import Expr, Negative
 from corollary.formula.plain_text import text as formula_text
 from corollary.formula.value import Nothing, Value
 from corollary.grading.expectations import expected_of
@@ -212,25 +212,32 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
                 )
             )
         case Numbers(values=(value,), beside=beside) if beside and expected.quantity is not None:
-            for tree in beside:
-                found = values_of((tree,), expected.quantity.givens())
-                residue = max(expected.quantity.residue, default=0.0)
-                either_sign = not isinstance(
-                    tree, Negative
-                )  # `F = m*g = -2 N` counts upwards, `F = -m*v/dt = 86 N` does not
-                if found is not None and not (
-                    same_value(value, found[0], residue)
-                    or (either_sign and same_value(-value, found[0], residue))
-                ):
-                    why = _(
-                        "{formula} does not come to {answer}; write the answer alone",
-                        formula=formula_text(tree),
-                        answer=answer.as_read,
-                    )
-                    return Unread(f"{why}.")
-            return judging(name).judge(answer, expected)
+            found = judging(name).judge(answer, expected)
+            if isinstance(found, Right) and (tree := _disagreeing(beside, value, expected)) is not None:
+                why = _(
+                    "{formula} does not come to {answer}; write the answer alone",
+                    formula=formula_text(tree),
+                    answer=answer.as_read,
+                )
+                return Unread(f"{why}.")
+            return found
         case _:
             return judging(name).judge(answer, expected)
+
+
+def _disagreeing(sides: Sequence[Expr], value: float, expected: Expected) -> Expr | None:
+    """The first formula of the givens on the left that does not come to the number on the right.
+
+    `F = m*g = -2 N` may count upwards; a minus that stands there, as in `F = -m*v/dt = 86 N`, counts.
+    """
+    assert expected.quantity is not None
+    residue = max(expected.quantity.residue, default=0.0)
+    for tree in sides:
+        signs = (1,) if isinstance(tree, Negative) else (1, -1)
+        found = values_of((tree,), expected.quantity.givens())
+        if found is not None and not any(same_value(sign * value, found[0], residue) for sign in signs):
+            return tree
+    return None
 
 
 def _has_no_sign(expected: Expected) -> bool:
