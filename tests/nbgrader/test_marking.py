@@ -115,7 +115,7 @@ def test_a_part_that_was_taken_out_since_is_marked_as_it_was_handed_out(
         ("adda/X12.11c=1", "nothing of adda is graded (did you mean ada?)"),
         ("ada/X99=1", "has no part X99"),
         ("ada=1", "write it as STUDENT/PART=POINTS"),
-        ("ada/X12.11c=two", "no number of points"),
+        ("ada/X12.11c=two", "not a number of points"),
     ],
 )
 def test_what_cannot_be_given_is_said(marked_course: Course, words: str, why: str) -> None:
