@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import signal
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
@@ -215,8 +216,12 @@ def test_a_person_interrupts_what_an_author_wrote(tmp_path):
         (tmp_path / folder).mkdir()
         (tmp_path / folder / name).write_text(text)
     bank = open_bank(tmp_path)
-    with pytest.raises(KeyboardInterrupt):
-        Solutions(bank).of(bank["C1"])
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background job ignores it
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            Solutions(bank).of(bank["C1"])
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 @pytest.mark.parametrize("command", ["key", "show"])
