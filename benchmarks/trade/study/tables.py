@@ -17,7 +17,8 @@ def of(document: dict[str, Any]) -> str:
     runs = from_rows(document["runs"])
     found = curves(runs)
     families = [family for family in FAMILIES if any(key[0] == family for key in found)]
-    head = f"# Tables of the trade\n\n**For programmers.** Here is what each method costs at each accuracy.\n\nMade at commit {document['commit']}; {document['machine']}; {document['draws']} draws of each family; {document['seconds']} s of the processor."
+    opening = "# Tables of the trade\n\n**For programmers.** Here is what each method costs at each accuracy."
+    head = f"{opening}\n\nMade at commit {document['commit']}; {document['machine']}; {document['draws']} draws of each family; {document['seconds']} s of the processor."
     text = [head, ""]
     for family in families:
         text += [
