@@ -121,8 +121,7 @@ def gives_what_is_asked(side: str, expected: Dimension, question: Question | Non
     if (over := RATIO.fullmatch(side)) is not None and expected == ONE:
         return _is_over(over["one"], over["other"], question)
     givens = question.dimensions if question is not None else {}
-    tree = parse(side, givens) if givens else None
-    if tree is not None and not isinstance(tree, ParseError) and letters_of(tree) - {"pi"}:
+    if (tree := _in_givens(side, givens)) is not None:
         return tree if dimension_of(tree, givens) == expected else False
     names = _letters_in(side, givens)
     tree = parse(side, names)
@@ -135,6 +134,12 @@ def gives_what_is_asked(side: str, expected: Dimension, question: Question | Non
         return False  # nobody says which is asked over which
     customary = {name: _dimensions()[base] for name in used if (base := _base(name)) in CUSTOMARY}
     return len(customary) == len(used) and dimension_of(tree, {**customary, **givens}) == expected
+
+
+def _in_givens(side: str, givens: Mapping[str, Dimension]) -> Expr | None:
+    """The side as a formula of the givens alone; None where it is none."""
+    tree = parse(side, givens) if givens else None
+    return None if tree is None or isinstance(tree, ParseError) or not letters_of(tree) - {"pi"} else tree
 
 
 def turned_over(side: str, expected: Dimension, question: Question | None) -> Solved | None:
@@ -269,11 +274,9 @@ def is_calculation(side: str) -> bool:
 def measures_otherwise(side: str, expected: Dimension, question: Question | None) -> bool:
     """True for a formula of the givens alone that measures something else than is asked for, as `m*v` for a force."""
     givens = question.dimensions if question is not None else {}
-    tree = parse(side, givens) if givens else None
-    if tree is None or isinstance(tree, ParseError) or not letters_of(tree) - {"pi"}:
-        return False
-    if any(isinstance(node, Number) and node.value.numerator > 4 for node in walk(tree)):
-        return False  # `v^2/20` of metres: a number may stand for a quantity
+    tree = _in_givens(side, givens)
+    if tree is None or any(isinstance(node, Number) and node.value.numerator > 4 for node in walk(tree)):
+        return False  # in `v^2/20` of metres a number may stand for a quantity
     found = dimension_of(tree, givens)
     return not isinstance(found, ParseError) and found != expected
 

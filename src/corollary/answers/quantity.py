@@ -242,18 +242,18 @@ def _beside_sides(
     if other := next((side for side in unread if measures_otherwise(side, wanted.dimension, question)), ""):
         why = _("{formula} does not have the unit {wanted}", formula=other, wanted=show(wanted) or "1")
         return ParseError("asked", why, None, _("write the answer alone"))
+    stand_for_it = [gives_what_is_asked(side, wanted.dimension, question) for side in unread]
+    formulas = tuple(each for each in stand_for_it if not isinstance(each, bool))
     if named(sides, question) or not unread:
-        found = (gives_what_is_asked(side, wanted.dimension, question) for side in unread)
-        return tuple(each for each in found if not isinstance(each, bool))
+        return formulas
     if wanted.is_angle and (turned := next((side for side in unread if turns(solvable(side, question))), "")):
         return _asked_about(turned, last, wanted, question)
     if len(unread) == 1 and (over := turned_over(unread[0], wanted.dimension, question)) is not None:
         return _solved(unread[0], over, last, wanted)
     if len(unread) == 1 < len(open_sides) and wanted.dimension == ONE and RATIO.fullmatch(unread[0]):
         return ()  # `K_B/K_0 = 15.36/16 = 0.960`
-    stand_for_it = [gives_what_is_asked(side, wanted.dimension, question) for side in unread]
     if any(stand_for_it):
-        return tuple(each for each in stand_for_it if not isinstance(each, bool))
+        return formulas
     return _asked_about(unread[0], last, wanted, question)
 
 
