@@ -72,6 +72,7 @@ NOT_RUN = {
 }
 PLACES = {
     "SET": "momentum_1",
+    "--cases FILE": "--cases cases.json",
     "[CODE…]": "X12.5",
     "CODE": "X12.5",
     "FOLDER": "mechanics",
@@ -126,6 +127,8 @@ def test_the_commands_of_the_how_to_pages_run(
     Path("roster.csv").write_text(
         "id,first_name,last_name,email\nada,Ada,Lovelace,ada@example.org\nbo,Bo,Boole,bo@example.org\n"
     )
+
+    Path("cases.json").write_text('[{"answers": {"a": "m*v"}}]')
 
     def run(line: str) -> int:
         monkeypatch.setattr("sys.argv", ["corollary", *shlex.split(line)])
