@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable, Generator, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 from urllib.request import urlopen
 
 import pytest
@@ -23,12 +24,16 @@ from tests import programs
 from tests.lender import Lender
 
 from corollary import messages, plug_ins
+from corollary.cli import main
 from corollary.sandbox import runner
 
 # The same examples in every run; `HYPOTHESIS_PROFILE=searching make test` draws others, and more of them.
 settings.register_profile("repeatable", deadline=None, derandomize=True)
 settings.register_profile("searching", deadline=None, max_examples=1000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeatable"))
+
+NOT_NEEDED: dict[str, Any] = {main.NOT_NEEDED: None}
+"""As the command has it: jsonschema would take seconds to load it."""
 
 
 def pytest_configure(config) -> None:
@@ -37,6 +42,7 @@ def pytest_configure(config) -> None:
     Nor does the width of whoever's terminal started the tests reach them.
     """
     os.environ.pop("COLUMNS", None)
+    sys.modules.update(NOT_NEEDED)
     if "PYTEST_XDIST_WORKER" not in os.environ:
         config.stash_folder = os.environ["XDG_CACHE_HOME"] = tempfile.mkdtemp(prefix="corollary-tests-")
         config.stash_programs = os.environ[programs.FOLDER] = tempfile.mkdtemp(prefix="corollary-programs-")

@@ -6,17 +6,17 @@ import ast
 from collections.abc import Iterator
 
 import pytest
+from tests.chapter_problems import PROBLEMS
 
 from corollary.derive.load import sources
 from corollary.derive.ready_scenes import ready_scenes
-from corollary.problem.bank import Bank, chapter_bank, load
+from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.problem import Problem
 from corollary.sandbox.runner import Runner
 from corollary.verify.program_checks import unstarted
 from corollary.verify.verify import verify
 
 BANK: Bank = chapter_bank()
-PROBLEMS = load(BANK)
 LONG = {  # more than three seconds each
     "E12.3.2", "E12.5.2", "P12.15", "S12.1", "S12.5nc", "S12.5pi", "S12.5two", "S12.5wall", "S12.6", "S12.7", "T12.6", "X12.10", "X12.3",
 }  # fmt: skip

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
+from tests.chapter_problems import PROBLEMS
 
 from corollary.notebook.worksheet import exercise
-from corollary.problem.bank import chapter_bank, load
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
 from corollary.render.page import drawing
@@ -33,9 +33,7 @@ ILLEGIBLE = """
 """
 
 
-@pytest.mark.parametrize(
-    "problem", [each for each in load(chapter_bank()) if each.figure], ids=lambda each: each.code
-)
+@pytest.mark.parametrize("problem", [each for each in PROBLEMS if each.figure], ids=lambda each: each.code)
 def test_words_of_a_figure_can_be_read(problem, chromium):
     page = chromium.new_page()
     for variant in (chapter(problem), *sample(problem, 5, salt="figures")):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 import pytest
+from tests.chapter_problems import PROBLEMS
 from tests.content.question_texts import question_texts
 from tests.pdf_text import text_of
 
@@ -69,7 +70,7 @@ def faults(code: str) -> list[str]:
     "code",
     [
         pytest.param(problem.code, marks=() if problem.code in QUICK else pytest.mark.whole)
-        for problem in BANK
+        for problem in PROBLEMS
     ],
 )
 def test_all_that_is_asked_is_said_and_no_answer(code: str) -> None:

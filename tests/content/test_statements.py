@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
+from tests.chapter_problems import PROBLEMS
 
 from corollary.problem.bank import chapter_bank, find
 
@@ -29,7 +30,7 @@ def test_what_is_elastic_is_said_where_balls_are_compared():
     "code",
     [
         problem.code
-        for problem in BANK
+        for problem in PROBLEMS
         if any("dt" in part.text and "code" in part.answer_types for part in problem.parts)
     ],
 )

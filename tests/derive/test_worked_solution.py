@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 import pytest
+from tests.chapter_problems import PROBLEMS
 
 from corollary.derive.solve import solve
 from corollary.derive.worked_solution import asked_steps, worked_solution
@@ -83,7 +84,7 @@ def test_what_is_left_out_and_needed_is_a_step_and_no_answer():
     "code",
     [
         pytest.param(problem.code, marks=pytest.mark.whole) if problem.code == "P12.15" else problem.code
-        for problem in BANK
+        for problem in PROBLEMS
         if len(problem.parts) > 1
     ],
 )
@@ -130,7 +131,7 @@ def bare(side: str) -> str:
     return re.sub(r"\\left|\\right|[(){} ]", "", side)
 
 
-@pytest.mark.parametrize("code", [problem.code for problem in BANK if problem.givens])
+@pytest.mark.parametrize("code", [problem.code for problem in PROBLEMS if problem.givens])
 def test_no_line_says_that_something_is_itself(code):
     solution = Solutions(BANK).of(find(BANK, code))
     key = make_key(solution, chapter(solution.problem))

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
+from tests.chapter_problems import PROBLEMS
 
 from corollary.answers.verdict import Mistaken, Slip, Wrong
 from corollary.formula.plain_text import text
@@ -83,7 +84,7 @@ def leaks(key: Key, part: str, said: str, answer: object) -> list[str]:
     return [*shown, *formulas, *(found[0] for found in FACTORS.finditer(words)), *re.findall(r"[=$]", words)]
 
 
-@pytest.mark.parametrize("code", [problem.code for problem in BANK if problem.givens])
+@pytest.mark.parametrize("code", [problem.code for problem in PROBLEMS if problem.givens])
 def test_nothing_of_the_key_is_told_to_a_wrong_answer(code):
     key = key_of(code)
     for factor in WRONG + OFF:
@@ -190,7 +191,7 @@ def test_one_wrong_answer_after_the_other_is_told_the_law_what_counts_and_a_chec
     "code",
     [
         pytest.param(problem.code, marks=[pytest.mark.whole] if problem.topic == "projects" else [])
-        for problem in BANK
+        for problem in PROBLEMS
         if problem.givens
     ],
 )
@@ -225,7 +226,7 @@ def moved(key: Key, symbol: str, steps: int) -> Key | None:
         return None
 
 
-@pytest.mark.parametrize("code", [problem.code for problem in BANK if problem.givens])
+@pytest.mark.parametrize("code", [problem.code for problem in PROBLEMS if problem.givens])
 def test_the_check_can_be_typed(code):
     """The letters that it names are read, and a formula of them that is right is read without a complaint."""
     posed = Posed(key_of(code))

@@ -79,13 +79,18 @@ def marks(marked: Callable[[NotebookNode], Marked]) -> Marks:
     }
 
 
-@pytest.fixture
-def whole(sheet: Worksheet) -> NotebookNode:
-    """A notebook in which everything is right."""
+@pytest.fixture(scope="module")
+def _whole(sheet: Worksheet) -> str:
     solutions = Solutions(chapter_bank())
     keys = {each.problem.code: solutions.key(each.variant) for each in sheet.exercises}
     written = {prompt.key: WORDS for prompt in sheet.prompts if prompt.part.answer_type == "explain"}
-    return nbformat.reads(filled_in(sheet, right_sources(sheet, keys) | written), as_version=4)
+    return filled_in(sheet, right_sources(sheet, keys) | written)
+
+
+@pytest.fixture
+def whole(_whole: str) -> NotebookNode:
+    """A notebook in which everything is right."""
+    return nbformat.reads(_whole, as_version=4)
 
 
 def all_right(found: Mapping[str, Verdict]) -> bool:

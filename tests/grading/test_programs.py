@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import cache
 from itertools import count
 
 import pytest
 from tests.judges import judges
 
 from corollary.answers.verdict import Mistaken, Right, Unread, Wrong
+from corollary.derive.solution import Solution
 from corollary.formula.value import Items, Nothing, Real
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.judge_programs import asks, judge_code
@@ -23,8 +25,13 @@ ARGUMENTS, reference = judges("impulse/ball_on_the_floor_program/judge_bounce.py
 
 BANK = chapter_bank()
 PROBLEM = find(BANK, "E12.3.1s")
-SOLUTION, VARIANT, PART = Solutions(BANK).of(PROBLEM), chapter(PROBLEM), PROBLEM.part("g")
+VARIANT, PART = chapter(PROBLEM), PROBLEM.part("g")
 SECRET = b"course"
+
+
+@cache
+def solution() -> Solution:
+    return Solutions(BANK).of(PROBLEM)
 
 
 def exact(inputs: dict) -> Sequence[float]:
@@ -34,20 +41,20 @@ def exact(inputs: dict) -> Sequence[float]:
 
 def verdict(program: Callable[[dict], Sequence[float]], student: str = "ada"):
     shown = {}
-    for ask in asks(SOLUTION, VARIANT, PART, SECRET, student):
+    for ask in asks(solution(), VARIANT, PART, SECRET, student):
         returned = program(dict(ask.arguments))
         shown[ask.key] = CallResult(
             Items(tuple(map(Real, returned)), (len(returned),)) if returned else Nothing(), "", ""
         )
-    return judge_code(SOLUTION, VARIANT, PART, ProgramRun(shown, (), True), SECRET, student)
+    return judge_code(solution(), VARIANT, PART, ProgramRun(shown, (), True), SECRET, student)
 
 
 def test_each_case_is_asked_with_its_step_and_with_half_of_it():
-    inputs = [dict(ask.arguments) for ask in asks(SOLUTION, VARIANT, PART, SECRET, "ada")]
+    inputs = [dict(ask.arguments) for ask in asks(solution(), VARIANT, PART, SECRET, "ada")]
     for coarse, fine in zip(inputs[::2], inputs[1::2], strict=True):
         assert fine == coarse | {"dt": coarse["dt"] / 2}
         assert exact(coarse)[2] / coarse["dt"] == pytest.approx(100)
-    assert inputs != [dict(ask.arguments) for ask in asks(SOLUTION, VARIANT, PART, SECRET, "bob")]
+    assert inputs != [dict(ask.arguments) for ask in asks(solution(), VARIANT, PART, SECRET, "bob")]
 
 
 def test_what_is_right_is_right_and_the_remark_is_what_the_student_reads():
@@ -91,4 +98,4 @@ def test_a_judge_of_a_bank_speaks_the_language_of_the_course(code, said):
 def test_one_call_that_fails_decides():
     calls = count()
     assert isinstance(verdict(lambda inputs: exact(inputs) if next(calls) != 3 else ()), Unread)
-    assert isinstance(judge_code(SOLUTION, VARIANT, PART, ProgramRun({}, (), True), SECRET, "ada"), Unread)
+    assert isinstance(judge_code(solution(), VARIANT, PART, ProgramRun({}, (), True), SECRET, "ada"), Unread)

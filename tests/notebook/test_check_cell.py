@@ -139,21 +139,28 @@ SAID = [
     ("nobody", "", "there is no answer of this name"),
 ]
 
+# Each try in a process of its own, forked from one that has run the cell.
 ALONE = """
-import contextlib, io, json, sys
+import contextlib, io, json, os, sys
 for name in ("corollary", "flint", "msgspec", "nbformat", "sympy", "numpy", "IPython"):
     sys.modules[name] = None
 job = json.load(sys.stdin)
-said = []
+space = {}
+exec(job["setup"], space)
+found = []
 for key, source in job["tries"]:
-    space = {}
-    exec(job["setup"], space)
-    exec(source, space)
-    with contextlib.redirect_stdout(io.StringIO()) as out:
-        space["check"](key)
-    said.append(out.getvalue())
-litter = sorted(name for name in space if not name.startswith("__"))
-json.dump({"said": said, "litter": litter}, sys.stdout)
+    reading, writing = os.pipe()
+    if not os.fork():
+        exec(source, space)
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            space["check"](key)
+        litter = sorted(name for name in space if not name.startswith("__"))
+        os.write(writing, json.dumps((out.getvalue(), litter)).encode())
+        os._exit(0)
+    os.close(writing)
+    with open(reading, encoding="utf-8") as read:
+        found.append(json.load(read))
+json.dump({"said": [text for text, _ in found], "litter": found[-1][1]}, sys.stdout)
 """
 
 

@@ -9,12 +9,11 @@ from math import pi, prod
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.chapter_problems import PROBLEMS
 
-from corollary.problem.bank import chapter_bank, find, load
+from corollary.problem.bank import chapter_bank, find
 from corollary.problem.statement import filled
 from corollary.problem.variant import OutOfRange, at, chapter, chosen, first_broken, in_print, size, written
-
-PROBLEMS = load(chapter_bank())
 
 
 def place(variant) -> int:

@@ -13,7 +13,7 @@ from corollary.formula.errors import ParseError
 from corollary.units.unit import BASE, canonical, latex, read_unit, show, unit
 from corollary.units.unit_table import PREFIXES, ROWS, TYPED, WITH_PREFIXES
 
-PINT = pint.UnitRegistry()
+PINT = pint.LazyRegistry()
 IN_PINT = {
     "t": "metric_ton",
     "%": "percent",

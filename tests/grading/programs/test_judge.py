@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from tests.chapter_problems import PROBLEMS
 
 from corollary.answers.verdict import Mistaken, Right
 from corollary.derive.statements import Code
@@ -17,7 +18,7 @@ from corollary.sandbox.job import CallResult
 BANK = chapter_bank()
 PROGRAMS = [
     (problem.code, part.id)
-    for problem in BANK
+    for problem in PROBLEMS
     for part in problem.parts
     if part.function and not part.signature.endswith("()")
 ]
