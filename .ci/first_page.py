@@ -27,6 +27,7 @@ WIDE, EDGE, SIZE, LEAD = 390, 20, 15, 21
 COLUMNS = 44  # letters in a line of this size
 NBSP = "\N{NO-BREAK SPACE}"
 INK, PAPER = "#1b1f24", "#ffffff"
+DARK = "<style>@media (prefers-color-scheme: dark) { svg:root { filter: invert(.9) hue-rotate(180deg) } }</style>"
 BARS = {"asked": "#0969da", "typed": "#57606a", "read": "#bc4c00", "key": "#1a7f37"}
 
 
@@ -97,6 +98,7 @@ def picture() -> str:
         [
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDE}" height="{height:g}" viewBox="0 0 {WIDE} {height:g}" '
             f'font-family="sans-serif" font-size="{SIZE}" fill="{INK}" role="img">\n',
+            f"{DARK}\n",
             f'<rect x="0.5" y="0.5" width="{WIDE - 1}" height="{height - 1:g}" rx="8" fill="{PAPER}" stroke="#d0d7de"/>\n',
             *(f"{line}\n" for line in body),
             "</svg>\n",

@@ -363,7 +363,7 @@ WORDS = {
     "dimension": ("the dimensions do not fit", "the answer is not in"),
     "condition": ("cannot be compared",),
     "one root": ("2 answers (",),
-    "mistake is the truth": ("100% of the draws may not be assigned",),
+    "mistake is the truth": ("100 % of the draws may not be assigned",),
 }
 """The sentence of each check that complains of its own."""
 

@@ -67,7 +67,7 @@ def test_statistics_stand_in_the_page_where_they_are_asked_for(of):
     of_one = next(each for each in whole.parts if each.difficulty.value == 1)
     assert of_one.answers == 2
     assert "100 % (34 % to 100 %)" in words  # Wilson's interval of 2 of 2
-    assert "0.50 (0.12 to 0.88) 0.011 0.25 62 %" in words
+    assert "0.50 (0.12 to 0.88) 0.011 0.250 62 %" in words
     assert "1 effect looked for, 0 found at 5 % of all together" in words
     assert "Statistics" not in Page(report_page(found, of)).words
 

@@ -43,7 +43,7 @@ def test_sheets_out_of_different_totals_are_told_in_per_cent():
     same = said(handed(ada=(12.0, 16.0), ben=(16.0, 16.0)))
     assert "mean 14 and median 14 of 16 points" in same
     other = said(handed(ada=(12.0, 16.0), ben=(19.0, 19.0), cyd=(19.0, 19.0)))
-    assert "mean 92% and median 100% of the own sheet's points" in " ".join(other.split())
+    assert "mean 92 % and median 100 % of the own sheet's points" in " ".join(other.split())
     assert "sheets are out of 16 or 19 points" in " ".join(other.split())
 
 

@@ -112,7 +112,7 @@ def test_where_it_coincides_with_the_truth_numbers_are_drawn_again(verified_at):
 def test_one_that_shows_in_few_corners_alone_is_no_mistake_to_be_told(verified_at):
     (said,) = verified_at("m*v", "m*v*max(1, M/(m*8.9))", "p/m", "m/s").complaints
     assert said.startswith(
-        "cart.md:5: 100% of the draws may not be assigned (part a: the mistake 'It is not so.'"
+        "cart.md:5: 100 % of the draws may not be assigned (part a: the mistake 'It is not so.'"
     )
 
 

@@ -154,7 +154,7 @@ def test_verify_itself_complains_of_what_is_said_to_be_noticed(checked, changes,
 
 def test_a_law_that_is_the_mistake_is_said_to_be_the_likeliest(checked):
     complaints = checked(newton="F").complaints
-    assert any("100% of the draws" in each and "your law may be the mistake" in each for each in complaints)
+    assert any("100 % of the draws" in each and "your law may be the mistake" in each for each in complaints)
 
 
 SCENE = """

@@ -282,7 +282,7 @@ def test_an_erratum_that_is_none(verified, good):
 def test_a_mistake_that_is_no_mistake(verified, good):
     """Everywhere on the grid it gives the truth: nothing may be dealt."""
     checked = verified(good.replace('"F = p*t"', '"F = p*t/t^2"'))
-    met(checked, "100% of the draws may not be assigned", 5, "cart.md")
+    met(checked, "100 % of the draws may not be assigned", 5, "cart.md")
     assert checked.redrawn == 1.0
     assert "cannot be told from the truth" in checked.why[0][0]
 

@@ -151,6 +151,7 @@ def _serve(
     course: Course, problem_set: ProblemSet, everything: bool, names: bool, no_browser: bool, port: int
 ) -> None:
     whose: dict[str, tuple[str, AnswerGroup]] = {}
+    people = {each.id: each.name for each in students(course)} if names else None
 
     def page() -> str:
         parts = to_mark(course, problem_set, everything=everything)
@@ -159,7 +160,7 @@ def _serve(
             for place, group in enumerate(part.groups):
                 ids[part.key, place] = f"a{len(whose)}"
                 whose[f"a{len(whose)}"] = part.key, group
-        return marking_page(problem_set, parts, ids, names=names)
+        return marking_page(problem_set, parts, ids, names=people)
 
     def receive(posted: dict[str, Any]) -> None:
         try:

@@ -74,7 +74,11 @@ def verified(place: Bank, path: Path, variants: int, now: str) -> Verification |
     _print(*(f"note: {note}" for note in whole.tally.notes))
     if whole.tally.mutation is not None:
         _print(*whole.tally.mutation.lines)
-    ended = "" if whole.tally.complaints else f", {whole.walked.refused:.0%} of the draws redrawn: all hold"
+    ended = (
+        ""
+        if whole.tally.complaints
+        else f", {100 * whole.walked.refused:.0f} % of the draws redrawn: all hold"
+    )
     _print(f"{_so_far(whole, start)}{ended}")
     return whole
 
@@ -235,7 +239,7 @@ def _bends(found: list[Checked]) -> None:
         print(*scores[0].lines, sep="\n")
     elif total := sum(each.bends for each in scores):
         noticed = sum(each.noticed for each in scores)
-        print(f"signs and factors: {noticed:,} of {total:,} bends noticed ({noticed / total:.0%})")
+        print(f"signs and factors: {noticed:,} of {total:,} bends noticed ({100 * noticed / total:.0f} %)")
 
 
 def _table(found: list[Checked]) -> None:
@@ -263,7 +267,7 @@ def _table(found: list[Checked]) -> None:
         table.add_row(
             each.code,
             written(each.variants, each.exact_count),
-            f"{each.redrawn:.0%}",
+            f"{100 * each.redrawn:.0f} %",
             *done[:2],
             _proven(each.obligations),
             done[2],

@@ -82,10 +82,11 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
     except Undefined as error:
         return None, f"an answer does not exist: {error}"
     for part, truth in key.truths.items():
-        if truth.noise > max(MOST_TOLERANCE, variant.problem.part(part).tolerance):
+        most = max(MOST_TOLERANCE, variant.problem.part(part).tolerance)
+        if truth.noise > most:
             return (
                 None,
-                f"part {part}: honest rounding to three figures already moves the answer by {truth.noise:.1%}",
+                f"part {part}: honest rounding to three figures moves the answer by more than {100 * most:.2g} %",
             )
         if truth.scale == 0 and not truth.counted:
             return None, f"part {part}: the answer is zero, and nothing says compared with what"

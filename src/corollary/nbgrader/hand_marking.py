@@ -195,12 +195,14 @@ def _row(record: Record, key: str) -> Row:
 def _why(row: Row) -> str:
     """What there is to know of an answer; of one that the program marked, how."""
     if row.again and not row.by_hand:
-        return f"{row.why[0].upper()}{row.why[1:]}. Marked by the program: {row.verdict}, {points(row.points)} points."
+        return f"{row.why[0].upper()}{row.why[1:]}. {_by_program(row)}"
     if row.waits or row.by_hand:
         return row.why
-    return (
-        f"Marked by the program: {row.verdict}, {points(row.points)} points. {row.error or row.why}".strip()
-    )
+    return f"{_by_program(row)} {row.error or row.why}".strip()
+
+
+def _by_program(row: Row) -> str:
+    return f"Marked by the program: {row.verdict}, {points(row.points)} {'point' if row.points == 1 else 'points'}."
 
 
 def _cells(nb: NotebookNode, key: str) -> Iterable[WrittenCell]:

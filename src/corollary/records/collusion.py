@@ -30,10 +30,10 @@ WITHIN = (
 RARE = 0.05  # what is likelier than this is no news in a class
 SHARING = (
     "A wrong answer is taken to fall anywhere, on a logarithmic scale, in the span of the class's right answers to that part; "
-    f"it fits another student's when it lies within {WITHIN:.1%} of it. The chance is that of meeting at least one of the "
+    f"it fits another student's when it lies within {100 * WITHIN:.1f} % of it. The chance is that of meeting at least one of the "
     "other students so, in one part of each exercise listed (parts of one exercise follow from one another and count once). "
     "Of a table or a list any entry may fit, each of its own size: so many chances are added up. "
-    f"What chance makes as likely as {RARE:.0%} is only counted."
+    f"What chance makes as likely as {100 * RARE:.0f} % is only counted."
 )
 # A class whose right answers hardly differ would make every hit look certain; they are taken to span a factor of two.
 WHOLE = (

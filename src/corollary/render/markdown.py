@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import html as escaping
+import re
 from collections.abc import Callable, Sequence
 from functools import lru_cache
 
 from markdown_it import MarkdownIt
+from markdown_it.common.utils import escapeHtml
 from markdown_it.rules_inline import StateInline
 from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.dollarmath.index import math_inline_dollar
 
 from corollary.render.pictures import NAME, lifted, put_back
+
+# No line ends between a number and its unit (`12 m/s`, `(0.00, 0.72) kg m/s`, `2 %`), nor between a letter and its value (`= 9.8`).
+UNIT = r"(?:[mµnckM]?(?:g|m|s|N|J|W|Pa|Hz|V|A|C)|°C|%|K|eV|u|h|min|mol|rad|deg)[²³]?"
+MEASURE = re.compile(rf"(?<=[\d)]) (?:{UNIT}[ ·/])*{UNIT}(?![\w'’-])")
+VALUE = re.compile(r"^ = (?=[-−]?\d)")
 
 # What sets formulas is loaded with the first formula: it is half of what a view without one would load.
 
@@ -36,6 +43,7 @@ def parser() -> MarkdownIt:
     markdown.add_render_rule("math_inline", _inline)
     markdown.add_render_rule("math_inline_double", _display)
     markdown.add_render_rule("math_block", _block)
+    markdown.add_render_rule("text", _words)
     return markdown
 
 
@@ -74,6 +82,14 @@ def _at_the_beginning_too(state: StateInline, silent: bool) -> bool:
         return _formula(state, silent)
     finally:
         state.src = source
+
+
+def _words(renderer: object, tokens: Sequence[Token], at: int, *rest: object) -> str:
+    return escapeHtml(VALUE.sub(_together, MEASURE.sub(_together, tokens[at].content)))
+
+
+def _together(found: re.Match[str]) -> str:
+    return found[0].replace(" ", "\N{NO-BREAK SPACE}")
 
 
 def _inline(renderer: object, tokens: Sequence[Token], at: int, *rest: object) -> str:

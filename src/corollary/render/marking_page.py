@@ -10,10 +10,14 @@ from corollary.render.page import page
 
 
 def marking_page(
-    problem_set: ProblemSet, parts: Sequence[PartToMark], ids: Mapping[tuple[str, int], str], *, names: bool
+    problem_set: ProblemSet,
+    parts: Sequence[PartToMark],
+    ids: Mapping[tuple[str, int], str],
+    *,
+    names: Mapping[str, str] | None,
 ) -> str:
     """One page that needs nothing but the server that gave it. `ids` names a group of answers, by part and place among its
-    groups, for the mark that is sent back; `names`: whose the answers are is on the page."""
+    groups, for the mark that is sent back; `names` are the students' by their ids; without them the page does not say whose the answers are."""
     return page(
         "mark.html",
         title=f"{problem_set.title}: marking",

@@ -91,7 +91,7 @@ def environment() -> Environment:
         "inline": _inline,
         "points": points,
         "earned": earned,
-        "percent": percent,
+        "percent": lambda share: percent(share).replace(" ", "\N{NO-BREAK SPACE}"),
     }
     found.globals |= {"_": _, "plural": _.plural, "points_of": points_earned}  # pyright: ignore[reportAttributeAccessIssue]
     return found

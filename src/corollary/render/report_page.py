@@ -19,8 +19,8 @@ from corollary.records.collusion import SHARING
 from corollary.records.marks import HandedIn, Row
 from corollary.records.report_model import PartTally, Report
 from corollary.render.page import page
-from corollary.render.statistics_table import EFFECTS, between, in_all, percent_between
-from corollary.render.wording import BY_HAND, LOOKS, Look, points
+from corollary.render.statistics_table import EFFECTS, between, in_all, p_value, percent_between
+from corollary.render.wording import BY_HAND, LOOKS, Look, percent, points
 
 if TYPE_CHECKING:
     from corollary.records.statistics import SetStatistics
@@ -123,7 +123,7 @@ def _headline(report: Report) -> str:
         return "Nothing was handed in yet."
     if len(report.totals) > 1:
         marks = (
-            f"mean {fmean(report.shares):.0%} and median {median(report.shares):.0%} of the own sheet's points, for "
+            f"mean {percent(fmean(report.shares))} and median {percent(median(report.shares))} of the own sheet's points, for "
             f"{different_totals(report)}"
         )
     else:
@@ -164,7 +164,7 @@ def _parts(report: Report) -> Table:
     for part in report.parts:
         counts = [str(part.counts[name]) if part.counts[name] else "·" for name in looks]
         table.add_row(
-            Text(f"{part.problem} {part.part}"), *counts, "–" if part.share is None else f"{part.share:.0%}"
+            Text(f"{part.problem} {part.part}"), *counts, "–" if part.share is None else percent(part.share)
         )
     return table
 
@@ -286,6 +286,7 @@ def report_page(
         effects_in_all=in_all(statistics.effects) if statistics else "",
         between=between,
         percent_between=percent_between,
+        p_value=p_value,
     )
 
 

@@ -22,7 +22,12 @@ EFFECTS = "Numbers drawn: effect on the odds, in logits for a standard deviation
 
 def between(each: Estimate) -> str:
     """The estimate and its interval."""
-    return f"{each.value:.2f} ({each.low:.2f} to {each.high:.2f})"
+    return f"{each.value:.2f} ({each.low:.2f} to {each.high:.2f})".replace("-", "\N{MINUS SIGN}")
+
+
+def p_value(p: float) -> str:
+    """A probability with three decimals, so that a column of them is read by its length."""
+    return "< 0.001" if p < 0.0005 else f"{p:.3f}"
 
 
 def percent_between(each: Estimate) -> str:
@@ -84,9 +89,9 @@ def _pieces(found: SetStatistics) -> Iterator[RenderableType]:
             f"{each.problem} {each.part}",
             each.feature,
             between(each.effect),
-            f"{each.p:.2g}",
-            f"{each.adjusted:.2g}",
-            f"{each.power:.0%}",
+            p_value(each.p),
+            p_value(each.adjusted),
+            percent(each.power),
         )
     yield table
     yield Text(in_all(found.effects))

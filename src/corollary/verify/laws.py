@@ -135,6 +135,6 @@ def what_is_wrong(each: Settled) -> str:
     numbers = ", ".join(f"{name} = {value}" for name, value in each.numbers.items())
     text = f"it does not hold that {each.claim}" + (f": {numbers}" if numbers else "")
     if each.exclude:
-        share = f"{each.broken:.1%}" if each.broken else "few"
+        share = f"{100 * each.broken:.1f} %" if each.broken else "few"
         text += f" ({share} of the draws); where: {each.exclude}, in the problem, would exclude that"
     return text

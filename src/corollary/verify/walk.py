@@ -67,7 +67,7 @@ def narrower(tried: Sequence[TriedDraw]) -> str:
     )
     if best is None:
         return ""
-    return f"with {best.words} it would be {best.within:.0%} of them; beyond that it is {best.beyond:.0%}"
+    return f"with {best.words} it would be {100 * best.within:.0f} % of them; beyond that it is {100 * best.beyond:.0f} %"
 
 
 def _of_ranges(givens: Sequence[Given], tried: Sequence[TriedDraw]) -> Iterator[RangeLimit]:
@@ -172,7 +172,7 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
         )
         if "honest rounding" in why:
             how += '; or give the part a tolerance="5 %" (up to 20 %), with its because="…"'
-        say(f"{ranges}: {share:.0%} of the draws may not be assigned ({why}); {how}")
+        say(f"{ranges}: {100 * share:.0f} % of the draws may not be assigned ({why}); {how}")
     elif size(problem) > 1 and not met:
         tally.complain(f"{ranges}: no variant keeps all the conditions; widen the ranges, or drop one")
     for part, letters in right.items():

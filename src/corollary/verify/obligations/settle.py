@@ -279,7 +279,7 @@ class Settling:
         )
         numbers = self.box.written(point) if point else self._any_numbers()
         if each.redrawn:
-            by = f"redrawn otherwise ({share:.1%} of the draws at most)" if share else REDRAWN
+            by = f"redrawn otherwise ({100 * share:.1f} % of the draws at most)" if share else REDRAWN
             return Settled(each.kind, each.claim, each.line, "sampled", by, numbers, "", share)
         exclude = " or ".join(map(text, need)) if point else ""
         return Settled(each.kind, each.claim, each.line, "counter-example", "grid", numbers, exclude, share)
