@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import io
 import os
 import shutil
@@ -34,6 +35,8 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeatable"))
 
 NOT_NEEDED: dict[str, Any] = {main.NOT_NEEDED: None}
 """As the command has it: jsonschema would take seconds to load it."""
+CACHE = "COROLLARY_TESTS_CACHE"
+"""Names a folder of solved derivations that outlives a run: what one run has solved, the next one with the same programs has not to."""
 
 
 def pytest_configure(config) -> None:
@@ -44,9 +47,17 @@ def pytest_configure(config) -> None:
     os.environ.pop("COLUMNS", None)
     sys.modules.update(NOT_NEEDED)
     if "PYTEST_XDIST_WORKER" not in os.environ:
-        config.stash_folder = os.environ["XDG_CACHE_HOME"] = tempfile.mkdtemp(prefix="corollary-tests-")
+        config.stash_folder = tempfile.mkdtemp(prefix="corollary-tests-")
+        os.environ["XDG_CACHE_HOME"] = os.environ.get(CACHE) or config.stash_folder
         config.stash_programs = os.environ[programs.FOLDER] = tempfile.mkdtemp(prefix="corollary-programs-")
         programs.make_folder(Path(config.stash_programs))
+
+
+def pytest_collection_finish() -> None:
+    """What is there before the first test stays: looking through it again and again would be a tenth of the time."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(50_000, 20, 20)
 
 
 def pytest_unconfigure(config) -> None:

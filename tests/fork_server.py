@@ -36,6 +36,7 @@ def main() -> None:
     sys.path.remove(HERE)  # whose folders have names of libraries
     atexit._clear()
     gc.freeze()
+    gc.set_threshold(50_000, 20, 20)
     for line in sys.stdin:
         job = json.loads(line)
         if {"grade", "autograde"} & {*job["argv"][1:2]} and job["account"] is None:

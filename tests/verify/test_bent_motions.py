@@ -106,10 +106,8 @@ CHECKS = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("changes", "by", "bent"),
-    [*CHECKS[:1], *(pytest.param(*each, marks=pytest.mark.whole) for each in CHECKS[1:])],
-)
+@pytest.mark.whole
+@pytest.mark.parametrize(("changes", "by", "bent"), CHECKS)
 def test_what_is_said_to_be_noticed_verify_itself_complains_of(checked, changes, by, bent):
     found = checked(**changes)
     assert found.complaints == ()
