@@ -17,10 +17,12 @@ from corollary.verify.program_checks import unstarted
 from corollary.verify.verify import verify
 
 BANK: Bank = chapter_bank()
-LONG = {  # more than three seconds each
-    "E12.3.2", "E12.5.2", "P12.15", "S12.1", "S12.5nc", "S12.5pi", "S12.5two", "S12.5wall", "S12.6", "S12.7", "T12.6", "X12.10", "X12.3",
-}  # fmt: skip
-QUICK = [problem for problem in PROBLEMS if problem.code not in LONG]
+QUICK = ("E12.3.1s", "E12.7.2", "S12.4n", "S12.5r", "X12.11", "X12.2", "X12.5", "X12.8")
+MANY = 100
+CASES = [
+    *(pytest.param(BANK[code], 8, id=code) for code in QUICK),
+    *(pytest.param(each, MANY, id=f"{each.code} {MANY}", marks=pytest.mark.whole) for each in PROBLEMS),
+]
 
 
 @pytest.fixture(scope="module")
@@ -29,22 +31,15 @@ def runner() -> Iterator[Runner]:
         yield one
 
 
-@pytest.mark.parametrize("problem", QUICK, ids=[problem.code for problem in QUICK])
-def test_verifies(problem: Problem, runner: Runner) -> None:
-    checked = verify(BANK, problem, 8, runner)
+@pytest.mark.parametrize(("problem", "count"), CASES)
+def test_verifies(problem: Problem, count: int, runner: Runner) -> None:
+    checked = verify(BANK, problem, count, runner)
     assert not checked.complaints
     assert checked.redrawn <= 0.8
 
 
-def test_all_but_the_long_ones_are_verified_at_once() -> None:
-    assert len(LONG) == len(PROBLEMS) - len(QUICK) < len(PROBLEMS) / 3
-
-
-@pytest.mark.whole
-@pytest.mark.parametrize("problem", PROBLEMS, ids=[problem.code for problem in PROBLEMS])
-def test_verifies_over_many_variants(problem: Problem, runner: Runner) -> None:
-    checked = verify(BANK, problem, 100, runner)
-    assert not checked.complaints
+def test_of_every_topic_but_the_projects_some_are_verified_at_once() -> None:
+    assert {BANK[code].topic for code in QUICK} == {each.topic for each in PROBLEMS} - {"projects"}
 
 
 def test_every_file_of_the_solutions_is_used() -> None:
