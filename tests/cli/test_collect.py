@@ -40,8 +40,8 @@ def test_collected_and_said(run) -> None:
     assert not Path("course/submitted").exists()
     status, out, _ = run("collect", "one", "all.zip", "--course", "course")
     assert status == 0
-    assert "one: 1 taken, 0 there already, 0 older, 1 that cannot be used" in out
-    assert "nothing yet from 1: ben" in out
+    assert "one: 1 taken, 0 already there, 0 older, 1 not usable" in out
+    assert "not handed in by 1 student: Ben Bool (ben)" in out
     assert Path("course/submitted/ada/one/one.ipynb").is_file()
     assert (open_course(Path("course")).record("collected", "one.json").stat().st_mode & 0o077) == 0
 
@@ -49,7 +49,7 @@ def test_collected_and_said(run) -> None:
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        (["one", "nowhere.zip"], "nowhere.zip is not there"),
+        (["one", "nowhere.zip"], "nowhere.zip does not exist"),
         (["one", "all.zip", "--times", "roster.csv"], 'roster.csv:1: has no columns "Identifier"'),
     ],
 )

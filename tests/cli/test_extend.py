@@ -38,7 +38,8 @@ def generated(tmp_path_factory: pytest.TempPathFactory) -> Path:
     )
     assert status == 0, err
     assert (
-        "warning: one opens Wednesday 27 November 2999, 00:00 (Europe/Oslo); give nothing out before" in err
+        "warning: one opens Wednesday 27 November 2999, 00:00 (Europe/Oslo); do not give sheets out before"
+        in err
     )
     assert "past" not in err
     return folder / "mech"
@@ -127,7 +128,7 @@ def test_reveal_is_for_sets_that_leave_it_to_the_hand(course: Path):
     assert not deadlines(course).by_hand
     (course.parent / "one.md").write_text(SET.replace("{reveal}", "after due"))
     status, _, err = run("grade", "one", "--reveal")
-    assert (status, "one says reveal: after due" in err) == (2, True)
+    assert (status, "one has reveal: after due" in err) == (2, True)
     (course.parent / "one.md").write_text(SET.replace("{reveal}", "by hand"))
 
 
@@ -136,7 +137,7 @@ def test_what_is_said_before_grading(course: Path, capsys):
     problem_set = set_of(opened, "one")[1]
     warn_of_grading_early(opened, problem_set, DUE)
     assert (
-        "warning: one is due Wednesday 4 December 2999, 23:59 (Europe/Oslo), which is not yet past"
+        "warning: one is not due before Wednesday 4 December 2999, 23:59 (Europe/Oslo)"
         in capsys.readouterr().err
     )
     warn_of_grading_early(opened, problem_set, DUE + timedelta(hours=1))
@@ -144,7 +145,7 @@ def test_what_is_said_before_grading(course: Path, capsys):
     write_extension(opened, "one", "ada", Extension(DUE + timedelta(days=1)))
     warn_of_grading_early(opened, problem_set, DUE + timedelta(hours=1))
     assert capsys.readouterr().err.startswith(
-        "ada has more time in one, until Thursday 5 December 2999, 23:59 (Europe/Oslo)"
+        "Ada Lovelace (ada) can still hand in one, at the latest until Thursday 5 December 2999, 23:59 (Europe/Oslo)"
     )
     warn_of_grading_early(opened, problem_set, DUE + timedelta(days=2))
     assert capsys.readouterr().err == ""
@@ -154,7 +155,8 @@ def test_a_date_in_the_past_is_pointed_out(course: Path, capsys):
     problem_set = set_of(open_course(course), "one")[1]
     warn_of_dates(problem_set, DUE + timedelta(seconds=1))
     assert (
-        "one was due Wednesday 4 December 2999, 23:59 (Europe/Oslo), which is past" in capsys.readouterr().err
+        "one was due Wednesday 4 December 2999, 23:59 (Europe/Oslo), so every hand-in counts as late"
+        in capsys.readouterr().err
     )
     warn_of_dates(problem_set, DUE)
     assert capsys.readouterr().err == ""

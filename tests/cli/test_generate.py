@@ -58,7 +58,7 @@ def test_newcomers_are_added_and_who_disappears_is_never_dropped_silently(run):
     sheet = Path("course/release/ada/small/small.ipynb").read_bytes()
     status, _, err = run("id\ncyd\n")
     assert (status, on_roster()) == (0, ["ada", "ben", "cyd"])
-    assert "new: cyd" in err
+    assert "new on the roster: cyd" in err
     before = {path: path.read_bytes() for path in Path("course").rglob("*") if path.is_file()}
     status, out, err = run("id\nada\ndan\n")
     assert status == 1
@@ -66,7 +66,7 @@ def test_newcomers_are_added_and_who_disappears_is_never_dropped_silently(run):
     assert "ben" in out
     assert "cyd" in out
     assert "Nothing is changed; --yes agrees" in err
-    assert "a file that names only them" in err
+    assert "a roster with the new students only" in err
     assert run("id\nada\ndan\n", "--yes")[0] == 0
     assert on_roster() == ["ada", "dan"]
     assert Path("course/release/ada/small/small.ipynb").read_bytes() == sheet
@@ -92,7 +92,7 @@ def test_a_terminal_asks(run, answer, left):
         os.close(other)
         os.write(terminal, f"{answer}\n".encode())
         read = b""
-        while b"Take this student off the roster?" not in read:
+        while b"Remove this student from the roster?" not in read:
             read += os.read(terminal, 1000)
         command.wait(timeout=120)
     os.close(terminal)

@@ -39,13 +39,13 @@ def test_files_and_who_gets_none(run) -> None:
     assert (status, document["students"], document["without"]) == (
         0,
         [ACCOUNT],
-        {"ben": "has no email on the roster"},
+        {"ben": "the roster has no email"},
     )
     assert (
         Path(document["files"][0]).read_bytes()
         == Path(f"course/release/{ACCOUNT}/one/one.ipynb").read_bytes()
     )
-    assert "ben has no email on the roster" in err
+    assert "no file for ben: the roster has no email" in err
     status, out, _ = run("release", "one", "--course", "course", "--to", "zip", "-o", "out")
     assert (status, out) == (0, "One: own sheets of 2 students in out/\n")
     assert sorted(path.name for path in Path("out").iterdir()) == [
@@ -59,7 +59,7 @@ def test_one_line_names_all_who_get_none_for_one_reason(run) -> None:
     roster.write_text(roster.read_text() + "cyd,,,\n")
     run("generate", "one.md", "--roster", "roster.csv", "--course", "course")
     _, _, err = run("release", "one", "--course", "course", "--to", "mail")
-    assert err == "each of ben, cyd has no email on the roster\n"
+    assert err == "no file for ben, cyd: the roster has no email\n"
 
 
 def test_numbers_of_the_lms_are_asked_for(run) -> None:

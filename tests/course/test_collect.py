@@ -93,7 +93,7 @@ def test_what_is_nobodys_stays_in_the_report_until_it_is_somebodys(course: Path,
     problem_set = set_of(opened, str(course.parent / "one.md"))[1]
     nobodys = dict(report_of(opened, problem_set).nobodys)
     assert len(nobodys) == 2
-    assert any("says nothing of whose it is" in why for why in nobodys.values())
+    assert any("does not name its student" in why for why in nobodys.values())
     done = grade(course)
     assert len(done.document["nobodys"]) == 2
     page = Path(done.document["report"]).read_text()
@@ -175,12 +175,12 @@ def test_a_folder_of_renamed_notebooks(course: Path, tmp_path: Path) -> None:
     assert outcomes(found)["one (1).ipynb"] == OLDER
     why = {each.file: each.why for each in found.of(NOBODY)}
     assert why.keys() == {"whose.ipynb", "notes.txt", "all.tar.gz"}
-    assert why["all.tar.gz"] == "is an archive of a kind that is not opened; unpack it, or ask for one.ipynb"
+    assert why["all.tar.gz"] == "is not a zip archive; unpack it, or ask for one.ipynb"
     # what came before does not replace what is there
     (tmp_path / "old").mkdir()
     shutil.copy2(inbox / "one (1).ipynb", tmp_path / "old")
     assert [each.why for each in collected(course, tmp_path / "old").of(OLDER)] == [
-        "what lies in submitted/ is newer"
+        "the file in submitted/ is newer"
     ]
 
 
@@ -192,8 +192,8 @@ def test_the_name_counts_for_more_than_what_a_notebook_says_of_itself(course: Pa
     found = collected(course, archive(tmp_path / "all.zip", files))
     assert set(taken(course)) == {"ada", "cyd"}
     (conflict,) = found.conflicts
-    assert "is cyd's by its name, and was made for ada: taken as cyd's" in conflict
-    assert "made for ada, not for you (cyd)" in found.of(ACCEPTED)[1].why
+    assert "was handed in by cyd but made for ada; it is marked with the numbers of cyd" in conflict
+    assert "made for ada, marked with the numbers of cyd" in found.of(ACCEPTED)[1].why
 
 
 @pytest.mark.parametrize(
@@ -210,14 +210,16 @@ def test_nobody_can_hand_in_as_somebody_else_by_names_in_an_archive_of_ones_own(
     own = archive(tmp_path / "own.zip", {inner: sheet(course, "ben")})
     found = collected(course, archive(tmp_path / "all.zip", {outer: own.read_bytes()}))
     assert set(taken(course)) == {"ada"}
-    assert "was made for ben: taken as ada's" in found.conflicts[0]
+    assert "made for ben; it is marked with the numbers of ada" in found.conflicts[0]
 
 
 def test_a_notebook_of_another_set_is_said_and_not_taken(course: Path, tmp_path: Path) -> None:
     found = collected(
         course, archive(tmp_path / "all.zip", {"ada/two.ipynb": sheet(course, "ada", set="two")})
     )
-    assert [(each.student, each.why) for each in found.of(UNUSABLE)] == [("ada", "is a notebook of two")]
+    assert [(each.student, each.why) for each in found.of(UNUSABLE)] == [
+        ("ada", "is a notebook of two; ask for one.ipynb")
+    ]
     assert taken(course) == {}
 
 
@@ -225,7 +227,7 @@ def test_a_notebook_that_is_no_sheet_is_said_to_whoever_collects(course: Path, t
     notes = {"cell_type": "markdown", "metadata": {}, "source": "My notes."}
     own = json.dumps({"cells": [notes], "metadata": {}, "nbformat": 4, "nbformat_minor": 4}).encode()
     found = collected(course, archive(tmp_path / "all.zip", {"ada/one.ipynb": own}))
-    why = "is a notebook with none of the exercises of one; ask for one.ipynb"
+    why = "has none of the exercises of one; ask for one.ipynb"
     assert [(each.student, each.why) for each in found.of(UNUSABLE)] == [("ada", why)]
 
 
@@ -334,7 +336,7 @@ def test_a_students_place_that_is_a_link_is_not_written_through(course: Path, tm
     (course / "submitted").mkdir()
     (course / "submitted" / "ada").symlink_to(tmp_path)
     found = collected(course, archive(tmp_path / "all.zip", {"ada.ipynb": sheet(course, "ada")}))
-    assert "is a link or lies behind one" in found.of(UNUSABLE)[0].why
+    assert "is a link, or lies in a linked folder" in found.of(UNUSABLE)[0].why
     assert not (tmp_path / "one").exists()
 
 
@@ -351,7 +353,7 @@ def test_whose_a_namesakes_file_is_says_the_worksheet(course: Path, tmp_path: Pa
     path = archive(tmp_path / "all.zip", files)
     found = collected(course, path)
     assert outcomes(found) == {neighbours: NOBODY, page: NOBODY, own: ACCEPTED}
-    either = "Finn Berg is ben or cyd on the roster; give Moodle's grading worksheet with --times, or name the file after the id"
+    either = "Finn Berg can be ben or cyd; give Moodle's grading worksheet with --times, or rename the file to the id"
     assert {each.file: each.why for each in found.of(NOBODY)} == {
         neighbours: f"was made for ada; {either}",
         page: f"is not a notebook; ask for one.ipynb ({either})",
@@ -431,7 +433,7 @@ def test_a_worksheet_that_comes_later_moves_the_times_of_what_is_there(course: P
         found = collected(course, zipped, times=grades(tmp_path / "grades.csv", moment))
         assert [each.student for each in found.of(UNCHANGED)] == ["ada", "ben"]
         assert (when(course, "ada"), when(course, "ben")) == (day, "04 23:59")
-        said = f"1 there already get the time of the worksheet: ada (2026-12-{day} UTC)"
+        said = f"times corrected by the worksheet, of files already in submitted/: ada (2026-12-{day} UTC)"
         assert said in found.remarks
     # a time that was written by hand stays
     (course / "submitted" / "ada" / "one" / "timestamp.txt").write_text("2026-12-02 10:00:00 UTC")
@@ -449,13 +451,13 @@ def test_of_two_files_handed_in_at_one_moment_it_is_said_by_what_one_is_taken(
     found = collected(course, archive(tmp_path / "dates.zip", files, 2), times=times)
     assert taken(course)["ada"] == files[second]
     (left,) = found.of(OLDER)
-    assert left.why == f"was handed in at the same moment as {second}, whose file has the later date"
-    assert found.conflicts == (f"ada: {first} {left.why}; the latter is taken",)
+    assert left.why == f"was handed in at the same moment as {second}, which has the later file date"
+    assert found.conflicts == (f"ada: {first} {left.why}; that one is taken",)
     shutil.rmtree(course / "submitted/ada/one")
     found = collected(course, archive(tmp_path / "no_dates.zip", files, 2, minutes=0), times=times)
     assert taken(course)["ada"] == files[first]
-    assert [each.why.rpartition(", ")[2] for each in found.of(OLDER)] == ["whose name comes last"]
-    assert any("the latter is taken" in each for each in found.conflicts)
+    assert [each.why.rpartition(", ")[2] for each in found.of(OLDER)] == ["which comes last by name"]
+    assert any("that one is taken" in each for each in found.conflicts)
 
 
 def test_of_two_files_without_a_time_nothing_is_said_of_when(course: Path, tmp_path: Path) -> None:
@@ -466,8 +468,8 @@ def test_of_two_files_without_a_time_nothing_is_said_of_when(course: Path, tmp_p
     line = [COMMAND, "collect", "one", zipped, "--course", course, "--dry-run"]
     done = forked.run(list(map(str, line)), capture_output=True, encoding="utf-8", check=False)
     assert done.returncode == 0, done.stderr
-    why = f"does not say when it was handed in, nor does {first}, whose name comes last"
-    assert f"ada: {second} {why}; the latter is taken" in done.stderr
+    why = f"has no time of handing in, nor has {first}, which comes last by name"
+    assert f"ada: {second} {why}; that one is taken" in done.stderr
     assert done.stdout.count("not said") == 2
     assert "UTC" not in done.stdout
 
@@ -523,7 +525,7 @@ def test_a_real_time_counts_before_a_guess_in_one_run(course: Path, tmp_path: Pa
     assert taken(course)["ada"] == sheet(course, "ada", note="by mail")
     assert when(course, "ada") == "03 09:00"
     (conflict,) = found.conflicts
-    assert conflict.startswith("ada: Ada Lovelace_171_assignsubmission_file_/one.ipynb does not say when")
+    assert conflict.startswith("ada: Ada Lovelace_171_assignsubmission_file_/one.ipynb has no time of handing in")
     # with the worksheet both are known, and the later is taken
     shutil.rmtree(course / "submitted")
     times = grades(tmp_path / "grades.csv", "4 December 2026, 8:00 AM")

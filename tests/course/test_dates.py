@@ -191,10 +191,7 @@ def test_more_time_after_solutions_were_out_is_warned_of_and_what_is_held_back_s
         "ben may have seen them. The next corollary grade one takes them out until Wednesday 11 December 2999, 18:00"
     )
     told = run("grade", "one", "--yes")
-    assert (
-        "worked solutions are held back from all feedback pages until then, and taken out of the 3 that"
-        in told
-    )
+    assert "keeps worked solutions off all feedback pages until then and removed from 3 pages" in told
     assert not any(WORKED in page for page in pages(course).values())
     again = run("grade", "one", "--yes")
-    assert "held back from all feedback pages until then (reveal: after extensions)" in again
+    assert "reveal: after extensions keeps worked solutions off all feedback pages until then\n" in again

@@ -169,8 +169,8 @@ def test_sheets_out_of_different_totals_are_warned_of(balls: ChangingBank, weigh
     words = ("generate", "week", "--roster", roster, "--course", balls.course, "--bank", balls.bank.folder)
     status, _, errors = run(*words)
     assert status == 0
-    assert ("warning: sheets of week are out of different totals" in errors) is warned
-    assert ("(X1.2 3, X1.3 3, X1.4 9); even them out with weight:" in errors) is warned
+    assert ("warning: sheets of week have different totals" in errors) is warned
+    assert ("(X1.2 3, X1.3 3, X1.4 9); make them equal with weight:" in errors) is warned
 
 
 def test_problems_of_several_banks(balls: ChangingBank, tmp_path: Path) -> None:
@@ -229,5 +229,5 @@ def test_only_so_many_tries_count(balls: ChangingBank, tmp_path: Path) -> None:
         _status, document, _ = run("collect", "week", source.parent.parent, "--course", balls.course)
         said.append(next(name for name in ("accepted", "unchanged", "unusable") if document[name]))
     assert said == ["accepted", "accepted", "unchanged", "unusable"]
-    assert "one more than the 2 tries" in document["unusable"][0]["why"]
+    assert "exceeds the 2 tries" in document["unusable"][0]["why"]
     assert "X1_1_a = 2" in taken.read_text()

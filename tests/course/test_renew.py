@@ -79,7 +79,7 @@ def test_every_change_is_listed_and_renewing_keeps_the_numbers_that_may_stay(bal
     assert document["with_renew"] == {
         student: ["X1.1"] if student in moving else [] for student in ("ben", "cyd")
     }
-    assert "ada: handed in, and keep the sheet they have answered" in said
+    assert "no new sheet, since they have handed in: 1 student: ada" in said
     assert {path: path.read_bytes() for path in files} == files
 
     status, _, said = generate(ball, "--renew")
@@ -181,7 +181,7 @@ def test_what_looks_renamed_is_not_where_somebody_says_so(ball: ChangingBank) ->
     ball.grade(open_course(ball.course))
     ball.write(replace(Text(), code="X1.7"))
     status, _, said = generate(ball)
-    assert (status, "say --not-renamed" in said) == (1, True)
+    assert (status, "--not-renamed treats it as removed and added" in said) == (1, True)
     status, document, said = generate(ball, "--not-renamed")
     assert status == 0, said
     assert "X1.1 is no longer in the set" in said

@@ -67,8 +67,11 @@ def test_a_neighbours_sheet_is_marked_with_ones_own_numbers_and_said(handed_in: 
     done = grade(handed_in)
     assert done.points["ben"] < 5
     (note,) = done.document["students"]["ben"]["notes"]
-    assert "made for ada, not for you (ben)" in note
-    assert "made for ada, not for you (ben)" in (handed_in / "feedback/ben/one/one.html").read_text()
+    assert "made for ada. It was marked with the numbers of your own sheet (ben)" in note
+    assert (
+        "made for ada. It was marked with the numbers of your own sheet (ben)"
+        in (handed_in / "feedback/ben/one/one.html").read_text()
+    )
 
 
 def test_nbgraders_autograde_follows_no_links_beside_the_notebook(handed_in: Path) -> None:

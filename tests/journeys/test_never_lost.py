@@ -225,7 +225,7 @@ def test_hand_ins_that_do_not_fit_have_a_defined_outcome(
     assert "zoe handed in but is not on the roster" in said
     assert "zoe" not in told["students"]
     assert told["unclear"] == {"finn": ["pair (1).ipynb", "pair (2).ipynb"]}
-    assert "finn handed in 2 notebooks, none of them called pair.ipynb" in said
+    assert "finn handed in 2 notebooks, none called pair.ipynb" in said
     assert any("made for dora" in note for note in told["students"]["elif"]["notes"])
     assert told["students"]["elif"]["points"] < told["students"]["dora"]["points"]
     assert told["students"]["ben"]["points"] == told["students"]["ada"]["points"] / 2

@@ -32,7 +32,7 @@ def test_our_command_and_nbgraders_make_nobody_late_by_a_guess(marked_course: Co
     ben = done.document["students"]["ben"]
     assert (ben["late"], seconds_late(marked_course)["ben"]) == (0.0, 0)
     assert done.document["guessed_times"]["ben"]["found"] == "yesterday evening"
-    assert "ben: timestamp.txt said no time but 'yesterday evening'" in done.errors
+    assert "ben: timestamp.txt held no time but 'yesterday evening'" in done.errors
     report = (marked_course.folder / "reports" / "words.html").read_text(encoding="utf-8")
     assert "yesterday evening" in report
     aside = marked_course.record("times", "words/ben.1.txt")
@@ -43,6 +43,6 @@ def test_our_command_and_nbgraders_make_nobody_late_by_a_guess(marked_course: Co
     stamps["cyd"].write_text("4.12. abends")
     autograded = run(marked_course, "nbgrader", "autograde", "words", "--force")
     assert autograded.status == 0, autograded.errors
-    assert "cyd: timestamp.txt said no time but '4.12. abends'" in autograded.errors
+    assert "cyd: timestamp.txt held no time but '4.12. abends'" in autograded.errors
     assert seconds_late(marked_course) == {"ada": 0, "ben": 0, "cyd": 0}
     assert grade(marked_course).document["graded"] == 0

@@ -75,7 +75,7 @@ def test_the_share_stands_when_agreed_to_and_a_person_looks_again(marked_course:
     now_out_of(bank, 4)
     refused = run(marked_course, "corollary", "grade", "words", "--course", ".")
     assert refused.status == 1
-    assert "by hand, 2 of 2 to 4 of 4 (+2; to be looked at again)" in " ".join(refused.out.split())
+    assert "by hand, 2 of 2 to 4 of 4 (+2; mark it again)" in " ".join(refused.out.split())
     assert "right to" not in refused.out
     assert in_gradebook(marked_course)["ada"] == (2.0, 0)
     done = grade(marked_course, "--yes")

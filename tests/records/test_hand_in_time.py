@@ -76,8 +76,8 @@ def test_a_guess_makes_nobody_late_and_what_was_there_is_kept(kind: str, place: 
     assert late(place) == 0.0
     for _ in range(2):
         said = settled(place)
-        assert "taken as in time" in said
-        assert ("said no time but" in said, "was blank" in said) == {
+        assert "counted as in time" in said
+        assert ("held no time but" in said, "was empty" in said) == {
             "words": (True, False),
             "bytes": (True, False),
             "none": (False, False),
@@ -114,9 +114,9 @@ def test_one_line_names_all_of_whom_there_is_the_same_to_say() -> None:
         "words", {"ada": unsaid, "ben": early, "cyd": unsaid, "dag": GuessedTime(AFTER, "soon")}
     )
     both, alone = lines
-    assert both.startswith("ada, cyd: nothing said when it was handed in")
+    assert both.startswith("ada, cyd: no time of handing in")
     assert both.endswith("write the time into submitted/STUDENT/words/timestamp.txt if you know it")
-    assert alone.startswith("dag: timestamp.txt said no time but 'soon'")
+    assert alone.startswith("dag: timestamp.txt held no time but 'soon'")
     assert alone.endswith("write the time into submitted/dag/words/timestamp.txt if you know it")
 
 

@@ -45,7 +45,8 @@ def test_a_bank_that_has_moved_is_asked_for_and_may_be_named(
     write_origin(course, "kicks", foreign)
     moved = foreign.folder.rename(tmp_path / "moved")
     with pytest.raises(
-        UnknownCode, match=r"kicks was generated from is no longer in .*theirs; say where it is with --bank"
+        UnknownCode,
+        match=r"kicks was generated from the bank .*theirs, which is not there any more; run corollary generate kicks",
     ):
         set_of(course, "kicks")
     assert set_of(course, "kicks", moved)[0].folder == moved

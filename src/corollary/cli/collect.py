@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from datetime import UTC, datetime
 from pathlib import Path
 
 from msgspec import to_builtins
 
-from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
+from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse, say
 from corollary.cli.terminal import bar, console
+from corollary.cli.told_dates import with_name
 from corollary.course.collect import Collected, collect
 from corollary.records.assignments import is_assigned
-from corollary.records.files import one_writer, open_course
+from corollary.records.files import one_writer, open_course, students
 from corollary.records.origin import set_of
 from corollary.records.submissions import ACCEPTED, GUESSED, NOBODY, OLDER, UNCHANGED, UNUSABLE, Arrival
 
 HEADINGS = {
     ACCEPTED: "Taken",
-    OLDER: "Not taken: another one is",
-    UNUSABLE: "Cannot be used",
-    NOBODY: "Nobody knows whose",
+    OLDER: "Not taken, since another file was",
+    UNUSABLE: "Cannot be marked",
+    NOBODY: "Owner unknown",
 }
 MOST_MISSING = 12
 
@@ -41,7 +43,7 @@ def run(
         )
     for file in (*files, *([times] if times else [])):
         if not file.exists():
-            refuse(f"{file} is not there; give the file that the LMS gave, or a folder")
+            refuse(f"{file} does not exist; give the LMS's archive, or a folder")
     with one_writer(opened), bar(f"collecting {problem_set.name}", None) as progress:
         found = collect(
             opened, problem_set, files, now=datetime.now(UTC), times=times, dry_run=dry_run, progress=progress
@@ -49,7 +51,7 @@ def run(
     for each in (*found.conflicts, *found.remarks):
         say(each)
     if found.log is not None:
-        say(f"an internal error occurred while a file was read: {found.log} says where; please report it")
+        say(f"an internal error occurred while a file was read; please report it with {found.log}")
     if as_json:
         outcomes = {
             outcome: [to_builtins(each) for each in found.of(outcome)]
@@ -60,7 +62,7 @@ def run(
              "conflicts": list(found.conflicts), "remarks": list(found.remarks), "missing": list(found.missing)}
         )  # fmt: skip
     else:
-        show(found, problem_set.name, dry_run)
+        show(found, problem_set.name, dry_run, {each.id: with_name(each) for each in students(opened)})
     return HOLDS if found.of(ACCEPTED) or found.of(UNCHANGED) else FAILS
 
 
@@ -71,12 +73,12 @@ def handed_in(arrival: Arrival) -> str:
     return arrival.when.partition(".")[0] + " UTC" * bool(arrival.when)
 
 
-def show(found: Collected, name: str, dry_run: bool) -> None:
-    """What was not taken, and with a dry run what would be; then how many."""
+def show(found: Collected, name: str, dry_run: bool, names: Mapping[str, str]) -> None:
+    """What was not taken, and with a dry run what would be; then how many. `names`: of the students, by id."""
     from rich.table import Table
     from rich.text import Text
 
-    from corollary.messages import visible
+    from corollary.messages import few, visible
 
     out = console()
     for outcome, title in HEADINGS.items():
@@ -84,8 +86,8 @@ def show(found: Collected, name: str, dry_run: bool) -> None:
         if not arrivals:
             continue
         if outcome == ACCEPTED:
-            title = "Would be taken" if dry_run else "Taken, with something to know"
-            title += " (as the students will read it)" if any(each.why for each in arrivals) else ""
+            title = "Would be taken" if dry_run else "Taken, with a remark"
+            title += ", which the student reads, too" if any(each.why for each in arrivals) else ""
         headings = ("student", "file", "handed in", *(("why",) if any(each.why for each in arrivals) else ()))
         table = Table(*headings, title=title, title_justify="left", title_style="bold")
         for each in arrivals:
@@ -96,12 +98,11 @@ def show(found: Collected, name: str, dry_run: bool) -> None:
     left = len(found.of(UNUSABLE)) + len(found.of(NOBODY))
     verb = "would be taken" if dry_run else "taken"
     out.print(
-        f"{name}: {accepted} {verb}, {same} there already, {older} older, {left} that cannot be used",
+        f"{name}: {accepted} {verb}, {same} already there, {older} older, {left} not usable",
         soft_wrap=True,
     )
     if found.missing:
-        more = len(found.missing) - MOST_MISSING
-        listed = ", ".join(found.missing[:MOST_MISSING]) + (f" and {more} more" if more > 0 else "")
-        out.print(f"nothing yet from {len(found.missing)}: {listed}", soft_wrap=True)
+        who = few([names.get(student, student) for student in found.missing], MOST_MISSING)
+        out.print(f"not handed in by {counted(len(found.missing), 'student')}: {who}", soft_wrap=True)
     if dry_run:
-        out.print("nothing is written")
+        out.print("nothing was written: this was a dry run")

@@ -36,5 +36,5 @@ def run(course: Path | None, as_json: bool) -> int:
                     break_on_hyphens=False,
                 )
             )
-    print(f"\n{len(broken)} of {len(found)} broken" if broken else f"\nnothing of {len(found)} is broken")
+    print(f"\n{len(broken)} of {len(found)} broken" if broken else f"\nall {len(found)} are fine")
     return FAILS if broken else HOLDS

@@ -7,12 +7,12 @@ from pathlib import Path
 
 from corollary.cli.ending import FAILS, HOLDS, agreed, answer, refuse, say
 from corollary.cli.terminal import bar, console
-from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, warn_of_dates
+from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, warn_of_dates, with_name
 from corollary.course.generate import Generated, generate
 from corollary.course.renew import Renewals, RosterChange, renewals, roster_change, students_before
 from corollary.extras import installing
 from corollary.grading.solutions import Solutions
-from corollary.messages import spoken
+from corollary.messages import few, spoken
 from corollary.nbgrader.config import check_config
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet, bank_of_set, find_set
@@ -41,13 +41,14 @@ def run(
     students, solutions = _students(roster, course, id_column or "", yes, as_json), Solutions(place)
     if students is None:
         return FAILS
-    warn_of_dates(problem_set)
+    is_course = (course / ".corollary" / "key").exists()
+    warn_of_dates(problem_set, course=open_course(course) if is_course else None)
     warn_of_pools(problem_set)
     check_config(course)
     for problem in problem_set.problems:  # whatever can be refused is, before the first file is written
         solutions.of(problem)
     found, plan = list[Correction](), Renewals((), ())
-    if (course / ".corollary" / "key").exists():
+    if is_course:
         opened = open_course(course)
         record = open_record(opened, problem_set)
         if not names_settled(opened, problem_set, record, yes, not_renamed):
@@ -58,7 +59,7 @@ def run(
         plan = renewals(opened, problem_set, solutions, record, before, {each.id for each in students})
         if renew:
             say_renewals(plan)
-            if plan.sheets and not agreed("Give them the sheet of today?", yes):
+            if plan.sheets and not agreed("Replace these sheets?", yes):
                 return FAILS
     with bar(f"generating {problem_set.name}", 2 * len(students) + 1) as progress:
         made = generate(
@@ -73,10 +74,10 @@ def run(
     if spoken() != (read_settings(course).language or "en"):
         write_language(course, spoken())
         say(
-            f'{course / "corollary.toml"} says language = "{spoken()}" from now on: students read all of the course in it'
+            f'{course / "corollary.toml"} says language = "{spoken()}" from now on: students read the whole course in this language'
         )
     if not renew and (plan.sheets or plan.handed_in):
-        say("all students keep their present sheet, byte for byte; with --renew:")
+        say("all students keep their present sheets")
         say_renewals(plan)
     if as_json:
         answer(
@@ -126,8 +127,8 @@ def warn_of_pools(problem_set: ProblemSet) -> None:
         if len(set(dealt.values())) > 1:
             each = ", ".join(f"{code} {most:g}" for code, most in dealt.items())
             say(
-                f"warning: sheets of {problem_set.name} are out of different totals, for the problems of a pool have unequal "
-                f"points ({each}); even them out with weight: or points: in the set's file"
+                f"warning: sheets of {problem_set.name} have different totals, since the problems of a pool have unequal "
+                f"points ({each}); make them equal with weight: or points: in the set's file"
             )
 
 
@@ -135,11 +136,11 @@ def _whose_own(made: Generated) -> str:
     """Whether everybody has numbers of their own, and where not."""
     shared = made.shared
     if len(made.notebooks) < 2 or not shared:
-        return "Each student has numbers of their own"
+        return "Each student has different numbers"
     which = ", ".join(f"{code} ({count} students)" for code, count in shared.items())
     return (
-        f"Each student has numbers of their own, but for {which}, where others have the same: "
-        "finer steps of the givens make more variants"
+        f"Each student has different numbers, except in {which}, where some share them: "
+        "finer steps of the givens give more variants"
     )
 
 
@@ -164,14 +165,12 @@ def _students(
     if change.missing:
         _show_missing(change, as_json)
         count = len(change.missing)
-        question = (
-            f"Take {'them' if count > 1 else 'this student'} off the roster? Numbers and marks stay recorded."
-        )
+        question = f"Remove {'these students' if count > 1 else 'this student'} from the roster? Numbers and marks stay recorded."
         if not agreed(question, yes):
-            say("to add only new students, give a file that names only them")
+            say("to add students, give a roster with the new students only")
             return None
     if before and change.new:
-        say(f"new: {', '.join(each.id for each in change.new)}")
+        say(f"new on the roster: {few([with_name(each) for each in change.new], 10)}")
     return change.roster
 
 

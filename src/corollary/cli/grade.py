@@ -15,7 +15,7 @@ from corollary.cli.told_dates import reveal_now, warn_of_grading_early, warn_of_
 from corollary.course.grade import Outcome, grade_set
 from corollary.course.workers import on_cluster
 from corollary.grading.solutions import Solutions
-from corollary.messages import visible
+from corollary.messages import few, visible
 from corollary.records.files import one_writer, open_course
 from corollary.records.origin import set_of
 from corollary.records.regrading import Change, PartChange
@@ -61,12 +61,11 @@ def run(
         )
     for stranger in done.strangers:
         say(
-            f"{stranger} handed in but is not on the roster; left alone (add them to the roster and generate again)"
+            f"{stranger} handed in but is not on the roster, so is not marked; add {stranger} to the roster and generate again"
         )
     if done.refilled:
         say(
-            f"the gradebook or autograded/ lacked the marks of {', '.join(done.refilled)}, which were recorded before: they are marked and "
-            "written anew, with what persons gave"
+            f"marks restored in the gradebook and autograded/, those given by hand too: {few(done.refilled, 10)}"
         )
     for student, why in done.not_run.items():
         say(f"{student} is not graded, because this machine failed: {why} Nothing is recorded; grade again")
@@ -170,21 +169,30 @@ def show_changes(changed: tuple[Change, ...], *, as_json: bool) -> None:
             f"{points:g} of {most:g}" if out_of else f"{points:g}"
             for points, most in ((each.before, each.out_of_before), (each.after, each.out_of))
         )
-        numbers = (had, gets, f"{each.by:+g}")
+        share = (
+            f" ({_share(each.before, each.out_of_before)} to {_share(each.after, each.out_of)})"
+            if out_of
+            else ""
+        )
+        numbers = (had, gets, f"{each.by:+g}{share}")
         table.add_row(*(Text(visible(word)) for word in (each.student, *numbers, parts, each.why)))
     out.print(table)
 
 
+def _share(points: float, out_of: float) -> str:
+    return f"{points / out_of:.0%}" if out_of else "0%"
+
+
 def _part(part: PartChange) -> str:
-    """`X12_5_a: wrong to right (+1)`, `X12_5_b: right (+0, out of 3 and no longer 2)`, `X12_5_c: by hand, 1 of 1 to 3 of 3`."""
+    """`X12_5_a: wrong to right (+1)`, `X12_5_b: right (+0, out of 3 instead of 2)`, `X12_5_c: by hand, 1 of 1 to 3 of 3`."""
     if part.by_hand:
         before, after = f"{part.before:g} of {part.out_of_before:g}", f"{part.after:g} of {part.out_of:g}"
-        look = "; to be looked at again" if part.out_of != part.out_of_before else ""
+        look = "; mark it again" if part.out_of != part.out_of_before else ""
         return f"{part.part}: by hand, {before} to {after} ({part.after - part.before:+g}{look})"
     before, after = part.verdict_before or "nothing", part.verdict or "nothing"
     verdict = before if before == after else f"{before} to {after}"
     out_of = (
-        f", out of {part.out_of:g} and no longer {part.out_of_before:g}"
+        f", out of {part.out_of:g} instead of {part.out_of_before:g}"
         if part.out_of != part.out_of_before
         else ""
     )

@@ -8,6 +8,7 @@ from corollary.atomic import write_files
 from corollary.cli.ending import FAILS, HOLDS, answer, say
 from corollary.cli.told_dates import warn_of_dates
 from corollary.course.release import release, sheets_of
+from corollary.messages import few
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course, open_course
 from corollary.records.origin import set_of
@@ -31,7 +32,7 @@ def run(
 ) -> int:
     opened = open_course(course)
     _, problem_set = set_of(opened, name, bank)
-    warn_of_dates(problem_set)
+    warn_of_dates(problem_set, course=opened)
     if to == "exchange":
         return _exchange(opened, problem_set, force, as_json)
     made = release(opened, problem_set, to, ids)
@@ -39,7 +40,7 @@ def run(
     written = write_files(folder, made.files)
     for why in dict.fromkeys(made.without.values()):
         who = [student for student, reason in made.without.items() if reason == why]
-        say(f"{'each of ' * (len(who) > 1)}{', '.join(who)} {why}")
+        say(f"no file for {few(who)}: {why}")
     if as_json:
         answer(
             {"set": problem_set.name, "to": to, "files": [str(path) for path in written],

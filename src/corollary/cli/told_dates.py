@@ -8,13 +8,16 @@ from datetime import UTC, datetime
 
 from corollary.cli.ending import agreed, refuse, say
 from corollary.course.renew import Renewals
+from corollary.messages import few
 from corollary.nbgrader.written_marks import with_solutions
 from corollary.problem.dates import written
 from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import Student
 from corollary.records.assignments import Assigned, pending, save_record, settle
 from corollary.records.corrections import Correction
 from corollary.records.deadlines import read_deadlines, reveal_by_hand
 from corollary.records.files import Course, students
+from corollary.records.submissions import submissions
 
 MOST_NAMED = 5
 
@@ -27,9 +30,9 @@ def names_settled(
     for renames in pending(course, problem_set, record):
         for each in renames:
             say(each.sentence)
-        take = not no and agreed("Is it the same under another name?", yes)
+        take = not no and agreed("Was it only renamed?", yes)
         if not no and not take and not (sys.stdin.isatty() and sys.stderr.isatty()):
-            say("where it is not the same, say --not-renamed")
+            say("--not-renamed treats it as removed and added")
             return False
         settle(record, renames, agreed=take)
         save_record(course, problem_set, record)
@@ -46,13 +49,13 @@ def say_renewals(found: Renewals) -> None:
     """For whom a new sheet would be another one, and who keeps theirs in any case."""
     if found.sheets:
         say(
-            f"{named([each.student for each in found.sheets])}: the corrected sheet in place of the one they have"
+            f"--renew replaces the sheet of {named([each.student for each in found.sheets])} by the corrected one"
         )
     for each in found.sheets:
         if each.other:
-            say(f"  {each.student}: other numbers in {', '.join(each.other)}")
+            say(f"  {each.student} gets new numbers in {', '.join(each.other)}")
     if found.handed_in:
-        say(f"{named(found.handed_in)}: handed in, and keep the sheet they have answered")
+        say(f"no new sheet, since they have handed in: {named(found.handed_in)}")
 
 
 def named(students: Sequence[str]) -> str:
@@ -62,21 +65,28 @@ def named(students: Sequence[str]) -> str:
     return f"{len(students)} student{'' if len(students) == 1 else 's'}: {names}"
 
 
+def with_name(student: Student) -> str:
+    """`Ada Lovelace (0101014)`; the id alone where the roster has no name."""
+    return student.id if student.name == student.id else f"{student.name} ({student.id})"
+
+
 def now() -> datetime:
     """This moment."""
     return datetime.now(UTC)
 
 
-def warn_of_dates(problem_set: ProblemSet, at: datetime | None = None) -> None:
-    """Before sheets are made or given out: the date is over already, or the set is not open yet."""
+def warn_of_dates(problem_set: ProblemSet, at: datetime | None = None, course: Course | None = None) -> None:
+    """Before sheets are made or given out: the date is past, or the set is not open yet. Once hand-ins lie in the course, a past
+    date is no mistake."""
     at = at or now()
-    if problem_set.due is not None and problem_set.due < at:
+    handed_in = course is not None and bool(submissions(course, problem_set.name))
+    if problem_set.due is not None and problem_set.due < at and not handed_in:
         say(
-            f"warning: {problem_set.name} was due {written(problem_set.due)}, which is past; whatever comes in is late "
-            "(correct due: in the set's file)"
+            f"warning: {problem_set.name} was due {written(problem_set.due)}, so every hand-in counts as late; "
+            "correct due: in the set's file if that is not meant"
         )
     if problem_set.opens is not None and at < problem_set.opens:
-        say(f"warning: {problem_set.name} opens {written(problem_set.opens)}; give nothing out before")
+        say(f"warning: {problem_set.name} opens {written(problem_set.opens)}; do not give sheets out before")
 
 
 def warn_of_grading_early(course: Course, problem_set: ProblemSet, at: datetime | None = None) -> None:
@@ -86,23 +96,23 @@ def warn_of_grading_early(course: Course, problem_set: ProblemSet, at: datetime 
         return
     if at <= deadlines.due:
         say(
-            f"warning: {problem_set.name} is due {written(deadlines.due)}, which is not yet past: what comes in until then is "
-            "marked by the next run, and feedback gives no right values before"
+            f"warning: {problem_set.name} is not due before {written(deadlines.due)}: run grade again then; "
+            "until then feedback shows no right values"
         )
         return
-    more = [each.id for each in students(course) if deadlines.early(each.id, at)]
+    more = [with_name(each) for each in students(course) if deadlines.early(each.id, at)]
     if more:
         last = deadlines.last
         assert last is not None
         say(
-            f"{', '.join(more)} {'has' if len(more) == 1 else 'have'} more time in {problem_set.name}, until {written(last)} at the "
-            "latest, and may still hand in"
+            f"{few(more)} can still hand in {problem_set.name}, at the latest until {written(last)} "
+            f"(corollary extend --list {problem_set.name} shows each date)"
         )
         if deadlines.reveal == "after extensions":
             out = with_solutions(course, problem_set.name)
-            addition = f", and taken out of the {len(out)} that have them" if out else ""
+            addition = f" and removed from {len(out)} pages that show them" if out else ""
             say(
-                f"worked solutions are held back from all feedback pages until then{addition} (reveal: after extensions)"
+                f"reveal: after extensions keeps worked solutions off all feedback pages until then{addition}"
             )
 
 
@@ -111,9 +121,9 @@ def warn_of_printed_dates(course: Course, problem_set: ProblemSet) -> None:
     deadlines = read_deadlines(course, problem_set)
     if deadlines.due is not None and (whose := deadlines.by_sheet):
         say(
-            f"warning: {problem_set.name} is due {written(deadlines.due)} now, and a later moment stands on the sheets of "
-            f"{named(whose)}; they are late from that moment on. corollary generate {problem_set.name} says which it is, and "
-            "with --renew gives a new sheet to who has not handed in"
+            f"warning: {problem_set.name} is due {written(deadlines.due)} now, but the sheets of {named(whose)} print a later "
+            f"date, and that date counts for them. corollary generate {problem_set.name} --renew gives a new sheet to students "
+            "who have not handed in"
         )
 
 
@@ -121,10 +131,8 @@ def reveal_now(course: Course, problem_set: ProblemSet, dry_run: bool) -> None:
     """Records that right values may be seen. Raises Refusal where the set leaves that to a date, or forbids it."""
     if problem_set.reveal != "by hand":
         refuse(
-            f"--reveal is for sets that say reveal: by hand; {problem_set.name} says reveal: {problem_set.reveal}"
+            f"--reveal needs reveal: by hand in the set's file; {problem_set.name} has reveal: {problem_set.reveal}"
         )
     if dry_run:
-        refuse(
-            "--reveal shows students what they must not see yet, and --dry-run writes nothing; give one of them"
-        )
+        refuse("--reveal changes feedback pages, and --dry-run writes nothing; give one of them")
     reveal_by_hand(course, problem_set.name)

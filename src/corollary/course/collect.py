@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from functools import cache, partial
 from pathlib import Path
 
+import msgspec
+
 from corollary.atomic import write_whole
 from corollary.course.failure_log import FailureLog
 from corollary.course.hand_in_time import Times, dated, read_times
 from corollary.course.lms_places import worksheet_numbers
-from corollary.course.owner import LATER, Found, directory_of, identified
+from corollary.course.owner import LATER, Found, directory_of, identified, not_a_notebook
 from corollary.guard import Failure, guarded
 from corollary.messages import few
 from corollary.problem.dates import machine_zone
@@ -100,7 +102,9 @@ def settled(
     """What becomes of a student's latest notebook, against what lies in `submitted/` already."""
     place = course.place("submitted", latest.student, name)
     if own_folder(course, name, latest.student) is None:
-        return latest.arrival(UNUSABLE, f"{place} is a link or lies behind one; move it away")
+        return latest.arrival(
+            UNUSABLE, f"{place} is a link, or lies in a linked folder; replace it by a folder"
+        )
     when, why = latest.when or datetime.now(UTC), latest.why
     if there is not None:
         content = bytes_of(there, within=course.folder / "submitted")
@@ -112,9 +116,9 @@ def settled(
                     write_whole(place / STAMP, stamp(when))
             return latest.arrival(UNCHANGED, why)
         if since is not None and past.is_newer(since, latest):
-            return latest.arrival(OLDER, "what lies in submitted/ is newer")
+            return latest.arrival(OLDER, "the file in submitted/ is newer")
         if since is not None and since > when:
-            why = f"{why} taken as newer than what lay in submitted/: one of them says no time; both are remembered"
+            why = f"{why} taken as newer than the file in submitted/, since one of the two has no time; both are kept"
             when = since if latest.time == GUESSED else when
         if isinstance(content, bytes) and not dry_run:
             keep(course, name, latest.student, content)
@@ -194,7 +198,7 @@ def collect(
         became = guarded(of_student.arrivals)
         if isinstance(became, Failure):
             failures.add(student, [became])
-            why = f"could not be put into submitted/ ({became.what}); nothing of it is lost, collect it again"
+            why = f"could not be written into submitted/ ({became.what}); the file itself is unchanged, so collect it again"
             became = [each.arrival(UNUSABLE, why) for each in theirs]
         arrivals += became
         conflicts += of_student.conflicts
@@ -203,7 +207,8 @@ def collect(
     if not dry_run:
         remember(course, name, sorted(arrivals, key=lambda each: each.outcome == NOBODY))
     if moved:
-        remarks.append(f"{len(moved)} there already get the time of the worksheet: {few(moved, 12)}")
+        remarks.append(f"times corrected by the worksheet, of files already in submitted/: {few(moved, 12)}")
+    arrivals = [_beside_a_notebook(each, name, by_student) for each in arrivals]
     came = there.keys() | by_student.keys()
     expected = [each.id for each in roster if each.id in assigned and not deadlines.excused(each.id)]
     missing = tuple(each for each in expected if each not in came)
@@ -231,7 +236,7 @@ class _StudentFiles:
         name, tries = self.problem_set.name, self.problem_set.tries
         in_order = sorted(self.theirs, key=lambda each: each.order)
         count, beyond = counting(in_order, self.past.arrivals, tries)
-        why = f"is one more than the {tries} tries that the set allows; what came before counts"
+        why = f"exceeds the {tries} tries that the set allows; the earlier hand-ins count"
         found = [each.arrival(UNUSABLE, why) for each in beyond]
         if not count:
             return found
@@ -240,7 +245,7 @@ class _StudentFiles:
             why = each.why_before(latest)
             if each.content != latest.content and why != LATER:
                 self.conflicts.append(
-                    f"{self.student}: {writable(each.member.name)} {why}; the latter is taken"
+                    f"{self.student}: {writable(each.member.name)} {why}; that one is taken"
                 )
             found.append(each.arrival(OLDER, why))
         found.append(settled(self.course, name, latest, self.there, self.past, self.moved, self.dry_run))
@@ -248,6 +253,13 @@ class _StudentFiles:
             for each in self.theirs:
                 keep(self.course, name, self.student, each.content)
         return found
+
+
+def _beside_a_notebook(each: Arrival, name: str, by_student: Collection[str]) -> Arrival:
+    """A file of another kind from a student whose notebook came, too: nobody need ask for one."""
+    if each.outcome == UNUSABLE and each.student in by_student and each.why == not_a_notebook(name):
+        return msgspec.structs.replace(each, why=f"is not a notebook; nothing to do, since {name}.ipynb came, too")
+    return each
 
 
 def _members(sources: Sequence[Path], directory: Directory, set_name: str) -> Iterator[Member]:
@@ -271,5 +283,5 @@ def _stumbled(member: Member, directory: Directory, set_name: str, failure: Fail
     """A file over which this program stumbled: it stays where it is, and a person looks at it."""
     lms = lms_name(member.parts)
     student = directory.of_lms(lms) if lms else directory.of_parts(member.parts, set_name)
-    why = f"could not be read by this program ({failure.what}); it is left where it is"
+    why = f"made corollary fail ({failure.what}); please report it, and look at the file yourself"
     return Arrival(student or "", member.name, "", UNUSABLE if student else NOBODY, why)

@@ -37,7 +37,13 @@ def of_course(folder: Path) -> tuple[Course | None, Settings, list[Finding]]:
     path = folder / FILE
     try:
         settings = read_settings(folder)
-        found.append(Finding("settings", "good", str(path) if path.exists() else f"no {FILE}; all as usual"))
+        found.append(
+            Finding(
+                "settings",
+                "good",
+                str(path) if path.exists() else f"no {FILE}, so every setting has its default",
+            )
+        )
     except Malformed as error:
         found.append(Finding("settings", "broken", str(error), f"correct {path}"))
     try:
@@ -45,7 +51,7 @@ def of_course(folder: Path) -> tuple[Course | None, Settings, list[Finding]]:
     except NotACourse as error:
         there = (folder / ".corollary").is_dir()
         remedy = (
-            "restore .corollary from a backup: every number and every key follow from it"
+            "restore .corollary from a backup: students' numbers and answer keys depend on it"
             if there
             else "name the course with --course, or generate a set"
         )
@@ -74,15 +80,15 @@ def _rights(folder: Path) -> Iterator[Finding]:
             yield Finding(
                 "key",
                 "broken",
-                f"{secret / 'key'} can be read by others, and every answer follows from it",
+                f"other users can read {secret / 'key'}, and with it every answer",
                 f"chmod 700 {secret} && chmod 600 {secret / 'key'}",
             )
         else:
-            yield Finding("key", "good", "for you alone")
+            yield Finding("key", "good", "only you can read it")
     for name in WRITTEN_IN:
         place = folder / name
         if place.is_dir() and not os.access(place, os.R_OK | os.W_OK | os.X_OK):
-            yield Finding("rights", "broken", f"{place} cannot be written in by you", f"chmod u+rwx {place}")
+            yield Finding("rights", "broken", f"you cannot write into {place}", f"chmod u+rwx {place}")
         elif place.exists() and not place.is_dir():
             yield Finding("rights", "broken", f"{place} is not a folder", "move it away")
 
@@ -90,7 +96,9 @@ def _rights(folder: Path) -> Iterator[Finding]:
 def _work(course: Course) -> Iterator[Finding]:
     """A lock goes with the process that held it, however it ended, so there is none to be removed by hand."""
     if at_work(course):
-        yield Finding("lock", "weak", "another run is at work in the course", "wait until it is done")
+        yield Finding(
+            "lock", "weak", "another corollary command is running in the course", "wait until it has ended"
+        )
 
 
 GROUPS = ("corollary.banks", "corollary.answers", "corollary.laws", "corollary.exports")
@@ -288,7 +296,7 @@ def _banks(course: Course | None, settings: Settings) -> Iterator[Finding]:
         yield found(
             f"set {name}",
             lambda name=name: f"{set_of(course, name)[1].title}, from {set_of(course, name)[0].place}",
-            f"say where its bank is: corollary generate {name} --bank DIR",
+            f"corollary generate {name} --course {course.folder} --roster FILE --bank DIR, DIR being the bank's folder",
         )
 
 

@@ -27,7 +27,7 @@ from corollary.sandbox.archive import Member
 from corollary.sandbox.file import Unreadable
 from corollary.sandbox.notebook_file import notebook_of
 
-LATER = "a later one was handed in"
+LATER = "a later file was handed in"
 PACKED = (".tar", ".gz", ".tgz", ".bz2", ".xz", ".zst", ".7z", ".rar")
 
 
@@ -66,13 +66,13 @@ class Found:
         if self.content == other.content:
             return f"is the same as {name}"
         if other.known and not self.known:
-            return f"does not say when it was handed in, and {name} does"
+            return f"has no time of handing in, but {name} has"
         if self.order[:3] != other.order[:3]:
             return LATER
-        by = "file has the later date" if self.order[3] != other.order[3] else "name comes last"
+        by = "has the later file date" if self.order[3] != other.order[3] else "comes last by name"
         if self.known:
-            return f"was handed in at the same moment as {name}, whose {by}"
-        return f"does not say when it was handed in, nor does {name}, whose {by}"
+            return f"was handed in at the same moment as {name}, which {by}"
+        return f"has no time of handing in, nor has {name}, which {by}"
 
     def arrival(self, outcome: str, why: str) -> Arrival:
         """What became of it."""
@@ -114,11 +114,10 @@ def identified(
 
     if member.content is None:
         packed = member.name.lower().endswith(PACKED)
-        what = "is an archive of a kind that is not opened; unpack it, or" if packed else "is not a notebook;"
+        name = problem_set.name
+        what = f"is not a zip archive; unpack it, or ask for {name}.ipynb" if packed else not_a_notebook(name)
         whose = f" ({_one_of(lms, namesakes)})" if lms and namesakes else ""
-        return left(
-            by_place, UNUSABLE if by_place else NOBODY, f"{what} ask for {problem_set.name}.ipynb{whose}"
-        )
+        return left(by_place, UNUSABLE if by_place else NOBODY, f"{what}{whose}")
     read = notebook_of(member.content) if isinstance(member.content, bytes) else member.content
     if isinstance(read, Unreadable) or isinstance(member.content, Unreadable):
         return left(by_place, UNUSABLE, read.in_english if isinstance(read, Unreadable) else "")
@@ -130,30 +129,51 @@ def identified(
         return left(None, NOBODY, f"{made_for}{_one_of(lms, namesakes)}")
     if by_place is None and owner is not None and lms and person and not directory.admits(lms, owner):
         why = f"was handed in by {lms.name}, who is not on the roster, and was made for {owner}"
-        return left(None, NOBODY, f"{why}; add who it is to the roster, or name it after the student")
+        return left(
+            None, NOBODY, f"{why}; add {lms.name} to the roster, or rename the file to the student's id"
+        )
     if owner is None:
         whose = (
             f"was made for {says.student}, who is not on the roster"
             if says.student
-            else "says nothing of whose it is"
+            else "does not name its student"
         )
-        return left(None, NOBODY, f"{whose}; name the file after the student, and collect it again")
+        return left(None, NOBODY, f"{whose}; rename the file to the student's id, and collect it again")
     if owner not in assigned:
-        return left(owner, UNUSABLE, f"{owner} has no numbers in {problem_set.name}; generate it again")
+        return left(
+            owner,
+            UNUSABLE,
+            f"{owner} has no sheet of {problem_set.name}; run corollary generate {problem_set.name} again",
+        )
     sheet = worksheet(problem_set, roster[owner], assigned[owner].variants)
     if elsewhere(sheet, read.node):
         name = problem_set.name
-        other = f"is a notebook with none of the exercises of {name}; ask for {name}.ipynb"
-        return left(owner, UNUSABLE, f"is a notebook of {says.set_name}" if says.set_name else other)
+        other = f"has none of the exercises of {name}; ask for {name}.ipynb"
+        return left(
+            owner,
+            UNUSABLE,
+            f"is a notebook of {says.set_name}; ask for {name}.ipynb" if says.set_name else other,
+        )
     if says.student and says.student != owner:
         conflicts.append(
-            f"{writable(member.name)} is {owner}'s by its name, and was made for {says.student}: taken as {owner}'s"
+            f"{writable(member.name)} was handed in by {owner} but made for {says.student}; it is marked with the numbers of {owner}"
         )
     named = lms is None or by_place is not None
-    return Found(owner, member, member.content, lms, None, " ".join(notes(sheet, read.node)), named=named)
+    another = says.student if says.student != owner else ""
+    why = (
+        f"made for {another}, marked with the numbers of {owner}"
+        if another
+        else " ".join(notes(sheet, read.node))
+    )
+    return Found(owner, member, member.content, lms, None, why, named=named)
+
+
+def not_a_notebook(name: str) -> str:
+    """The reason why a file of another kind is not taken."""
+    return f"is not a notebook; ask for {name}.ipynb"
 
 
 def _one_of(lms: LmsName, namesakes: Sequence[str]) -> str:
     """Who a name may be that several on the roster have, and how to tell."""
     sheet_first = "give Moodle's grading worksheet with --times, or " if lms.lms == "moodle" else ""
-    return f"{lms.name} is {' or '.join(namesakes)} on the roster; {sheet_first}name the file after the id"
+    return f"{lms.name} can be {' or '.join(namesakes)}; {sheet_first}rename the file to the id"

@@ -15,8 +15,8 @@ from corollary.records.lms_names import file_words
 from corollary.render.targets.feedback_zip import write_archive
 
 UNKNOWN = {
-    "moodle": "has no number in Moodle that is known",
-    "canvas": "has no file in Canvas that is known (what is typed into its text box is none), and it gives one back for a file only",
+    "moodle": "the number in Moodle is unknown; give a grading worksheet with --ids",
+    "canvas": "no uploaded file in Canvas is known, and Canvas gives a file back only for an uploaded one (typed text is not a file)",
 }
 
 
@@ -52,7 +52,11 @@ def release(course: Course, problem_set: ProblemSet, to: str, ids: Path | None =
     numbers it knows the students. Raises NoSheets, NoPlaces, Malformed."""
     sheets, roster, name = sheets_of(course, problem_set), students(course), problem_set.name
     having = [each for each in roster if each.id in sheets]
-    without = {each.id: "has no sheet; generate again" for each in roster if each.id not in sheets}
+    without = {
+        each.id: f"no sheet yet; run corollary generate {name} again"
+        for each in roster
+        if each.id not in sheets
+    }
     files: dict[str, bytes] = {}
     match to:
         case "folder":
@@ -63,7 +67,7 @@ def release(course: Course, problem_set: ProblemSet, to: str, ids: Path | None =
                 for each in having
             }
         case "mail":
-            without |= {each.id: "has no email on the roster" for each in having if not each.email}
+            without |= {each.id: "the roster has no email" for each in having if not each.email}
             having = [each for each in having if each.email]
             files = mailing(problem_set, having, sheets)
         case _:

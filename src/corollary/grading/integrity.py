@@ -68,16 +68,16 @@ def _sentences(sheet: Worksheet, owner: str, edited: list[str], foreign: list[st
     run = {"setup", "check_all", *(prompt.name for prompt in sheet.prompts)}
     if owner and owner != sheet.student.id:
         yield _(
-            "This notebook was made for {owner}, not for you ({own}): it was marked with your own numbers.",
+            "The notebook you handed in was made for {owner}. It was marked with the numbers of your own sheet ({own}).",
             owner=owner,
             own=sheet.student.id,
         )
     elif foreign and owner:
         yield _.plural(
             "The cell {cells} is from an earlier version of your sheet, with other numbers than it has now: "
-            "your answers were marked with the numbers of today.",
+            "your answers were marked with the present numbers.",
             "The cells {cells} are from an earlier version of your sheet, with other numbers than it has now: "
-            "your answers were marked with the numbers of today.",
+            "your answers were marked with the present numbers.",
             len(foreign),
             cells=_listed(foreign),
         )
@@ -92,15 +92,15 @@ def _sentences(sheet: Worksheet, owner: str, edited: list[str], foreign: list[st
     texts = [name for name in edited if name not in run]
     if texts:
         yield _.plural(
-            "You edited the cell {cells}: everything was marked with the numbers that were handed out.",
-            "You edited the cells {cells}: everything was marked with the numbers that were handed out.",
+            "You edited the text in the cell {cells}. Your answers were marked with the numbers on your original sheet.",
+            "You edited the text in the cells {cells}. Your answers were marked with the numbers on your original sheet.",
             len(texts),
             cells=_listed(texts),
         )
     if checks:
         yield _.plural(
-            "You edited the cell {cells}; checks only say how an answer is read, so this earns nothing and costs nothing.",
-            "You edited the cells {cells}; checks only say how an answer is read, so this earns nothing and costs nothing.",
+            "You edited the cell {cells}. A check only shows how an answer is read, so this does not change your points.",
+            "You edited the cells {cells}. A check only shows how an answer is read, so this does not change your points.",
             len(checks),
             cells=_listed(checks),
         )

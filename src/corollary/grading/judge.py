@@ -63,7 +63,10 @@ def judge(
         found = guarded(partial(_of_part, key, part, value, on_runs, so_far), LONGEST, passing)
         if isinstance(found, Failure):
             found = (
-                tuple(Unmarked(_("It could not be marked by the program.")) for _type in part.answer_types),
+                tuple(
+                    Unmarked(_("The program failed to mark this, so your teacher will mark it."))
+                    for _type in part.answer_types
+                ),
                 "",
             )
         result[part.id] = found
@@ -173,7 +176,7 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
         ):
             return Unmarked(
                 _(
-                    "This is nearly the right word: a person will decide. ({reason})",
+                    "This is nearly the right word, so your teacher will decide. ({reason})",
                     reason=f"{why[0].upper()}{why[1:]}.",
                 )
             )
@@ -189,7 +192,7 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
             if right is not None:
                 return Unmarked(
                     _(
-                        "This can be read in two ways, and one of them is right: a person will decide. ({reason})",
+                        "This can be read in two ways, and one of them is right, so your teacher will decide. ({reason})",
                         reason=reason,
                     )
                 )
@@ -258,7 +261,7 @@ def _failed(name: str, error: Exception) -> Unmarked:
     """Says what failed without its message, which may hold what is expected."""
     return Unmarked(
         _(
-            "This could not be marked automatically: a person will decide. ({error} in the answer type {name})",
+            "The program failed to mark this, so your teacher will mark it. ({error} in the answer type {name})",
             error=type(error).__name__,
             name=name,
         )

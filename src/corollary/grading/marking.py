@@ -186,9 +186,9 @@ def _explained(part: PartGrade, prompt: Prompt, notebook: Notebook, runs: Mappin
     if status == "ok":
         return _left_to_a_person(part, prompt, notebook)
     sentence = {
-        "error": _("No answer came out of this part: its cell stopped with {error}.", error=error),
-        "timeout": _("No answer came out of this part: its cell ran out of time."),
-        "not run": _("No answer came out of this part: its cell was not reached any more."),
+        "error": _("No answer was found: the cell of this part stopped with {error}.", error=error),
+        "timeout": _("No answer was found: the cell of this part ran too long and was stopped."),
+        "not run": _("No answer was found: the cell of this part was not run."),
     }[status]
     return replace(part, verdict=Unread(sentence, blank=True), feedback=sentence)
 
@@ -201,12 +201,12 @@ def _left_to_a_person(part: PartGrade, prompt: Prompt, notebook: Notebook) -> Pa
     bare = unquoted(prompt.name, text)
     sentence = (
         _(
-            "No answer came out of this part, since its text has no quotes; write {line}. A person will read it.",
+            "Your text has no quotes, so Python could not read it; write {line}. Your teacher will mark it.",
             line=f'{prompt.name} = "{one_line(bare)}"',
         )
         if bare
         else _(
-            "Your cell was changed, but it gives {name} no value. A person will read what you wrote.",
+            "Your cell gives {name} no value. Your teacher will mark what you wrote in it.",
             name=prompt.name,
         )
     )
@@ -220,7 +220,7 @@ def _unbound(sheet: Worksheet, grades: Iterable[Grade], notebook: Notebook) -> I
         part, text = parts[prompt.problem.code, prompt.part.id], written_elsewhere(notebook.node, prompt)
         if text and part.waits and part.answer == text:
             yield _(
-                "The cell of {name} gives no answer; a person reads its text: {text}",
+                "The cell of {name} gives no answer; your teacher will read its text: {text}",
                 name=prompt.name,
                 text=one_line(text),
             )

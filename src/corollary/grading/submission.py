@@ -123,9 +123,9 @@ def left_to_a_person(context: GradingContext, submission: Submission, why: str =
     """A submission that could not be marked through no fault of its student: every part waits for a person. Nothing of what
     was handed in is shown again: it may be what could not be handled."""
     sentence = (
-        _("It could not be marked by the program ({why}).", why=why)
+        _("The program failed to mark this, so your teacher will mark it ({why}).", why=why)
         if why
-        else _("It could not be marked by the program.")
+        else _("The program failed to mark this, so your teacher will mark it.")
     )
     marked = not_marked(context.worksheet(submission), sentence, submission.late)
     return MarkedSubmission(marked.joined(submission.retained), None, {})

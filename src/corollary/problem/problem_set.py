@@ -239,10 +239,10 @@ def find_set(bank: Bank, name: str, usual: Usual = USUAL) -> ProblemSet:
         have = set_names(bank)
         if _is_a_problem(bank, name):
             raise UnknownCode(
-                f"{name} is one problem, and no problem set; `corollary show {name}` writes it, `--format` says as what"
+                f"{name} is a problem, not a problem set; corollary show {name} --format FORMAT writes a single problem"
             )
         raise UnknownCode(
-            f"there is no problem set {name}{did_you_mean(name, have)}; the bank has: {', '.join(have) or 'none'}"
+            f"there is no problem set {name}{did_you_mean(name, have)}; the bank {bank.place} has: {', '.join(have) or 'none'}"
         )
     return read_set(bank, path, usual)
 

@@ -94,7 +94,7 @@ def _check_is_there(course: Course, set_name: str, bank: Bank, file: str | None)
     """Raise UnknownCode where the set is no longer where the record says."""
     if file is not None and not Path(file).is_file():
         raise UnknownCode(
-            f"{file}, from which {set_name} was generated, is gone; {_generate_again(set_name)}"
+            f"{set_name} was generated from {file}, which does not exist any more; {_generate_again(set_name)}"
         )
     if file is None and file_of_set(bank, set_name) is None:
         raise UnknownCode(
@@ -106,7 +106,7 @@ def _check_is_there(course: Course, set_name: str, bank: Bank, file: str | None)
 def _generate_again(set_name: str) -> str:
     return (
         f"run corollary generate again with the file in the place of its name (such as path/{set_name}.md): "
-        "that records where it is, and everybody keeps their numbers"
+        "that records where it is, and all students keep their numbers"
     )
 
 
@@ -154,14 +154,13 @@ def _unknown(course: Course, set_name: str, bank: Bank, here: list[str]) -> Unkn
     if has_set(course, set_name):
         return UnknownCode(
             f"the bank {bank.place} has no set {set_name}, and the file that it was generated from is gone or lies in another "
-            f"bank; name the set's own file ({set_name}.md with its path) in the place of {set_name}"
+            f"bank; give the path of {set_name}.md in the place of {set_name}"
         )
     if assigned.exists():
         return UnknownCode(
             f"{course.folder} has numbers of {set_name}, but no longer says where that set is: {_origin(course, set_name)} "
-            f"is lost, and the bank {bank.place} has no set of that name; bring the file back from a backup, or name the "
-            f"set's bank with --bank or its own file ({set_name}.md with its path) in the place of {set_name}; "
-            f"generating it again from there records that anew (everybody keeps their numbers)"
+            f"is lost, and the bank {bank.place} has no set of that name; restore the file from a backup, or run corollary "
+            f"generate again with --bank, or with the path of {set_name}.md (all students keep their numbers)"
         )
     generated = sorted(
         {
@@ -197,8 +196,9 @@ def _recorded(course: Course, set_name: str) -> tuple[Bank, str | None]:
         return open_bank(Path(place)), file
     except UnknownCode:
         raise UnknownCode(
-            f"the bank that {set_name} was generated from is no longer in {place}; say where it is with --bank, "
-            f"or generate {set_name} again from there (everybody keeps their numbers)"
+            f"{set_name} was generated from the bank {place}, which is not there any more; run "
+            f"corollary generate {set_name} --course {course.folder} --roster FILE --bank DIR with its new folder (all students keep "
+            "their numbers)"
         ) from None
 
 

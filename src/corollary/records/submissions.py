@@ -17,7 +17,7 @@ from msgspec import UNSET
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.atomic import write_whole
 from corollary.grading.part_grades import Grade, PartGrade
-from corollary.messages import visible
+from corollary.messages import few, visible
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.assignments import AssignedSheet
@@ -207,14 +207,16 @@ def why_guessed(set_name: str, student: str, guess: GuessedTime) -> str:
     remedy = f"write the time into submitted/{student}/{set_name}/{STAMP} if you know it"
     if guess.found or guess.aside:
         what = (
-            f"said no time but {guess.found[:60]!r}"
+            f"held no time but {guess.found[:60]!r}"
             if guess.found
-            else "was blank, too large, a link, or no file"
+            else "was empty, too large, a link, or no file"
         )
-        where = f" (it lies in .corollary/times/{set_name}/{guess.aside})" if guess.aside else ""
-        return f"{STAMP} {what}{where}: taken as in time; {remedy}"
+        where = f" (kept as .corollary/times/{set_name}/{guess.aside})" if guess.aside else ""
+        return f"{STAMP} {what}{where}: counted as in time; {remedy}"
     if guess.after_due:
-        return f"nothing said when it was handed in, and the file is from after the deadline: taken as in time; {remedy}"
+        return (
+            f"no time of handing in, and the file's date is after the deadline: counted as in time; {remedy}"
+        )
     return ""
 
 
@@ -226,7 +228,7 @@ def all_guessed(set_name: str, guesses: Mapping[str, GuessedTime]) -> Iterator[s
     for sentence, who in alike.items():
         if sentence:
             one = sentence if len(who) > 1 else why_guessed(set_name, who[0], guesses[who[0]])
-            yield f"{', '.join(who)}: {one}"
+            yield f"{few(who, 10)}: {one}"
 
 
 def beside(course: Course, set_name: str, student: str, file: str) -> bytes:
@@ -318,7 +320,7 @@ def why_unclear(set_name: str, names: Sequence[str]) -> str:
     """A sentence on what `unclear` found of one student, and what to do."""
     listed = visible(", ".join(names))
     if names[0].endswith(".ipynb"):
-        return f"{len(names)} notebooks, none of them called {set_name}.ipynb ({listed}); rename the one that counts"
+        return f"{len(names)} notebooks, none called {set_name}.ipynb ({listed}); rename the one that counts"
     what = (
         "no notebook but a file that cannot be marked" if len(names) == 1 else "no notebook among the files"
     )

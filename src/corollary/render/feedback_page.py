@@ -96,14 +96,20 @@ def page_facts(
 ) -> PageFacts:
     """`due` is the student's own deadline. `solutions` gives the worked solution (Markdown, with the student's numbers) by problem code; None shows none. `rubric`:
     by what a person marks stands beside the answer."""
-    keys = [grade.variant.problem.answer_name(part.part) for grade in marked.grades for part in grade.parts]
-    pictures = _pictures(marked.figures, keys)
+    parts = {
+        grade.variant.problem.answer_name(
+            part.part
+        ): f"{grade.variant.problem.code} ({part.part.heading_letter})"
+        for grade in marked.grades
+        for part in grade.parts
+    }
+    pictures = _pictures(marked.figures, list(parts))
     return PageFacts(
         problem_set.title,
         marked.student.name,
         tuple(_exercise_facts(grade, pictures, solutions or {}, rubric) for grade in marked.grades),
         pictures.get("", ()),
-        tuple(_stopped(run) for run in marked.runs if run.status in {"error", "timeout"}),
+        tuple(_stopped(run, parts) for run in marked.runs if run.status in {"error", "timeout"}),
         sum(run.status == "not run" for run in marked.runs),
         "" if due is None else in_words(due),
     )
@@ -188,13 +194,13 @@ def _pictures(figures: Sequence[Figure], keys: Sequence[str]) -> dict[str, tuple
     return found
 
 
-def _stopped(run: CellRun) -> tuple[str, str]:
-    """The cell, and what stopped it."""
-    if run.error:
-        return run.id, run.error
-    return run.id, (
-        _("It ran too long and was stopped.") if run.status == "timeout" else _("It ended in an error.")
-    )
+def _stopped(run: CellRun, parts: Mapping[str, str]) -> tuple[str, str]:
+    """The cell, by its part where it has one, and what stopped it. `parts`: `X12.5 (a)` by the name of its answer."""
+    name = max((key for key in parts if run.id.startswith(f"{key}_") or run.id == key), key=len, default="")
+    cell = _("Cell of {part}", part=parts[name]) if name else run.id
+    if run.status == "timeout":
+        return cell, _("It ran too long and was stopped.")
+    return cell, run.error or _("It ended in an error.")
 
 
 HYPHEN_AS_MINUS = re.compile(r"(?<![\w.^])-(?=[\d.])")

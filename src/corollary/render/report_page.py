@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from statistics import fmean, median
 from typing import TYPE_CHECKING, Final
@@ -53,13 +53,16 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
             ),
         )
         yield from _more(len(report.met))
-    if report.waiting:
+    if waiting := _waiting_answers(report):
         yield _table(
-            "Waits for a person",
-            ("student", "part", "why"),
-            ((one.student, f"{one.problem} {one.part}", one.why) for one in report.waiting[:MOST]),
+            "Waits for marking",
+            ("part", "why", "students"),
+            (
+                (f"{problem} {part}", why, f"{len(whose)}: {_some(whose)}")
+                for (problem, part, why), whose in list(waiting.items())[:MOST]
+            ),
         )
-        yield from _more(len(report.waiting))
+        yield from _more(len(waiting))
     if report.near_misses:
         yield _table(
             "Near misses of reading (nothing was given; accept a group with corollary mark SET --accept ID)",
@@ -181,7 +184,7 @@ def _more(count: int) -> Iterator[Text]:
         yield Text(f"and {count - MOST} more; --json has them all", style="dim")
 
 
-def _some(names: tuple[str, ...], most: int = 4) -> str:
+def _some(names: Sequence[str], most: int = 4) -> str:
     return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
 
 

@@ -14,7 +14,7 @@ _ = catalogue(__name__)
 
 def judge(answer: Answer, expected: Expected) -> Verdict:
     """A person decides, by the rubric."""
-    return Unmarked(_("A person will read this."), expected.rubric)
+    return Unmarked(_("An explanation is marked by your teacher, not by the program."), expected.rubric)
 
 
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
