@@ -13,7 +13,7 @@ def ask_for_hints(page: Page) -> None:
     more, told = second.get_by_role("button", name="A hint"), second.locator(".hints li")
     more.click()
     expect(told).to_have_count(1)
-    expect(told.first).to_contain_text("Find first what (a) asks for")
+    expect(told.first).to_contain_text("First find the answer to (a)")
     more.click()
     expect(told).to_have_count(2)
     field = first.locator("input[type=text]").first
@@ -34,5 +34,5 @@ def ask_for_hints(page: Page) -> None:
     field.fill("3 m/s")
     field.press("Enter")
     expect(first.locator(".said.right")).to_have_count(0)
-    expect(told.first).to_contain_text("Find first what (a) asks for")
+    expect(told.first).to_contain_text("First find the answer to (a)")
     expect(told).to_have_count(1)

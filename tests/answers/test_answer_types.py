@@ -247,7 +247,7 @@ def test_a_machine_number_is_read_with_the_unit_it_needs():
 def test_words_alone_are_left_to_a_person():
     assert answer_type("explain").preview(
         Text("Gravity pulls it down."), question_of(PROBLEM, VALUE)
-    ).text == ("will be read by a person")
+    ).text == ("your teacher will read it")
 
 
 def test_what_is_asked_for_is_said_with_the_names_that_are_wanted():

@@ -21,7 +21,7 @@ def told(values: tuple[float, ...], wrong: tuple[float, ...], of: str) -> list[s
         ((8.6,), (-8.6,), "N", "sign"),
         ((3.0, 4.0), (-3.0, -4.0), "N", "Every component"),
         ((3.0, 4.0), (3.0, -4.0), "N", "sign of one component"),
-        ((3.0, 4.0), (4.0, 3.0), "N", "changed places"),
+        ((3.0, 4.0), (4.0, 3.0), "N", "interchanged"),
         ((8.6,), (17.2,), "N", "constant factor"),
         ((8.6,), (4.3,), "N", "constant factor"),
         ((8.6,), (8600.0,), "N", "power of ten is off"),

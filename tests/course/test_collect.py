@@ -525,7 +525,9 @@ def test_a_real_time_counts_before_a_guess_in_one_run(course: Path, tmp_path: Pa
     assert taken(course)["ada"] == sheet(course, "ada", note="by mail")
     assert when(course, "ada") == "03 09:00"
     (conflict,) = found.conflicts
-    assert conflict.startswith("ada: Ada Lovelace_171_assignsubmission_file_/one.ipynb has no time of handing in")
+    assert conflict.startswith(
+        "ada: Ada Lovelace_171_assignsubmission_file_/one.ipynb has no time of handing in"
+    )
     # with the worksheet both are known, and the later is taken
     shutil.rmtree(course / "submitted")
     times = grades(tmp_path / "grades.csv", "4 December 2026, 8:00 AM")

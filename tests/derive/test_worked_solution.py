@@ -105,7 +105,7 @@ def test_each_part_alone_is_told_from_what_is_given(code):
 def test_refused_roots_other_ways_choices_and_programs():
     bullet, cradle = told("X12.10"), told("P12.14")
     assert "*Another way.* The same from the bullet's speed alone" in bullet
-    assert "*Another root of these laws is refused:*" in cradle
+    assert "*Another root of these laws is rejected:*" in cradle
     assert "Measured in the simulated scene *cradle* (velocities)" in cradle
     assert "```python\ndef cradle(N, m, k, q, v0, dt):" in cradle
     assert "- Says that the law of the contact decides" in cradle

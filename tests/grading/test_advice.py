@@ -118,10 +118,10 @@ def test_nothing_of_the_key_is_told_to_a_wrong_answer(code):
             "X12.1",
             "b",
             3.33,
-            ("Conservation of mechanical energy", "type it as a formula of `v`, `M`, `m`"),
+            ("Conservation of mechanical energy", "type your answer as a formula of `v`, `M`, `m`"),
         ),
         ("P12.14", "i", [0.1, 0.2, 0.3], ("halve the step",)),
-        ("X12.1", "a", "v/7", ("the speed of the club", "with `2*v` in the place of `v`")),
+        ("X12.1", "a", "v/7", ("the speed of the club", "with `2*v` in place of `v`")),
         ("S12.5nc", "b", "14 deg", ("none of the given numbers", "another value of `v0`")),
     ],
 )
@@ -173,8 +173,8 @@ def test_one_wrong_answer_after_the_other_is_told_the_law_what_counts_and_a_chec
     first, second, third, fourth = (told(key, "d", 77.7, count) for count in range(4))
     assert "Think of: Change of momentum" in first
     assert "(12.29); Mean force (12.22), in “Momentum, Impulse, and Collisions”." in first
-    assert "What counts here: the mass of the ball" in second
-    assert "A check: type it as a formula of `m`, `v`, `w`, `dt`" in third
+    assert "The answer depends on: the mass of the ball" in second
+    assert "A check: type your answer as a formula of `m`, `v`, `w`, `dt`" in third
     assert fourth == third
     assert [
         ("Think of" in each, "What counts" in each, "A check" in each) for each in (first, second, third)
@@ -299,5 +299,5 @@ def test_a_count_that_no_given_enters_has_no_check_that_cannot_fail():
     """Who counts wrongly counts the same with other numbers."""
     key = key_of("S12.5nc")
     sentences = advice(key, key.variant.problem.part("e"))
-    assert any("the answer is the same for all of them" in each for each in sentences)
+    assert any("depends on none of the given numbers" in each for each in sentences)
     assert not any("A check" in each for each in sentences)

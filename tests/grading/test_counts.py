@@ -130,7 +130,7 @@ def test_a_ratio_that_comes_out_whole_is_measured_like_another(key, typed, right
 
 
 def test_of_a_ratio_that_is_whole_whatever_the_numbers_it_is_said(verdicts):
-    assert verdicts("X12.9", c="2.004")["c"] == Right("Right; it is exactly 2, whatever the numbers are.")
+    assert verdicts("X12.9", c="2.004")["c"] == Right("Right; it is exactly 2 for all numbers.")
     assert verdicts("X12.9", c="2.0")["c"] == Right()
 
 

@@ -18,7 +18,7 @@ def test_each_verdict_has_its_sentence():
     assert sentence(Right("")) == "Right."
     assert sentence(Right("Right, but coarse.")) == "Right, but coarse."
     assert "follows correctly from your answer in (a)" in sentence(Follows(("a",)))
-    assert "earns nothing a second time" in sentence(Follows(("a",), True))
+    assert "earns nothing here" in sentence(Follows(("a",), True))
 
 
 def test_the_verdict_that_stands_above_a_sentence_is_not_said_in_it_again():

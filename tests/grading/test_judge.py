@@ -43,7 +43,7 @@ SINGLE = [
     ("X12.5", "a", True, "unread", ""),
     ("X12.5", "a", float("nan"), "unread", "not a number"),
     ("X12.5", "a", 10**400, "wrong", ""),
-    ("S12.5nc", "b", "78.4°", "slip", "Sine and cosine have changed places"),
+    ("S12.5nc", "b", "78.4°", "slip", "Sine and cosine are interchanged"),
     ("X12.5", "c", "0.86 N", "mistaken", "divide the impulse by the time"),
     ("X12.5", "c", "0.86 kg m", "mistaken", "divide the impulse by the time"),
     ("X12.5", "c", "43 N", "mistaken", "half of the mean force"),
@@ -115,7 +115,7 @@ SINGLE = [
     ("T1", "e", ["p = m v", "v = p/m", "K = m (p/m)^2/2", "K = p^2/(2 m)"], "right", ""),
     ("T1", "e", "p = m*v\nK = p^2/m\nK = p^2/(2*m)", "wrong", "Line 2"),
     ("T1", "e", "p = m*v\nK = p*v\nK = p^2/(2*m)", "mistaken", "not energy"),
-    ("T1", "e", "K = p^2/(2*m)", "wrong", "the claim alone"),
+    ("T1", "e", "K = p^2/(2*m)", "wrong", "only the claim"),
     ("T1", "e", "p = m*v\nm = m\nK = p^2/(2*m)", "unmarked", ""),
     ("T1", "e", "p = m*v\nK = m*v^2/2", "wrong", "not yet"),
     ("T1", "e", "so it is", "unread", "equation"),
@@ -124,7 +124,7 @@ SINGLE = [
     ("T1", "h", [4, 6], "right", ""),
     ("T1", "h", "(14.4, 21.6) km/h", "right", ""),
     ("T1", "h", [10, 0], "wrong", "the stone itself"),
-    ("T1", "h", [4, 5], "wrong", "do not keep"),
+    ("T1", "h", [4, 5], "wrong", "do not satisfy"),
     ("T1", "i", "4.905 N", "right", ""),
     ("T1", "i", 4905, "slip", ""),
 ]
@@ -336,6 +336,6 @@ def test_another_package_that_raises_costs_its_own_part_alone(installed, small_b
     judged = judge(key, {part: from_json(answer) for part, answer in answers.items()})
     ((shaky,), _) = judged["b"]
     assert isinstance(shaky, Unmarked)
-    assert f"a person will decide. (KeyError in the answer type {name})" in shaky.why
+    assert f"your teacher will mark it. (KeyError in the answer type {name})" in shaky.why
     assert "height" not in shaky.why
     assert {part: type(judged[part][0][0]) for part in "cdi"} == {"c": Right, "d": Right, "i": Right}

@@ -237,7 +237,7 @@ def test_who_reads_what_was_left_open_is_told_what_to_look_for(verdict):
     assert isinstance(found, Unmarked)
     *laws, way = found.rubric
     assert len(laws) == 3
-    assert all(law.startswith("states or uses rightly: ") for law in laws)
+    assert all(law.startswith("states or uses correctly: ") for law in laws)
     assert way.startswith("arrives at F = ")
     assert way.endswith("without a gap")
 

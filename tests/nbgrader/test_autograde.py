@@ -137,7 +137,7 @@ def test_a_statement_is_restored_with_the_students_own_numbers(courses: tuple[Co
         }
         assert cells["X12_5_statement"].source == handed_out["X12_5_statement"]
         assert cells["X12_5_a"].metadata["nbgrader"]["points"] == 1
-        assert "Something was noticed" in cells["remark_0"].source
+        assert "The report has notes" in cells["remark_0"].source
 
 
 def test_how_a_mark_came_about_is_kept_either_way(

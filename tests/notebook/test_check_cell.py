@@ -34,7 +34,7 @@ SAID = [
     (
         "X12_5_a",
         "X12_5_a = None\nIn = ['', 'X12_5_a = 1', 'X12_5_a = 8.6 N s  # mine']",
-        'no answer yet: a number with its unit stands in quotes: X12_5_a = "8.6 N s"\n',
+        'no answer yet: write a number with its unit in quotes: X12_5_a = "8.6 N s"\n',
     ),
     (
         "X12_5_a",
@@ -45,24 +45,24 @@ SAID = [
     (
         "X12_5_a",
         "X12_5_a = 8.6\nIn = ['', 'X12_5_a = 8.6', 'X12_5_a = m*v']",
-        'no answer yet: a formula, a letter or a word stands in quotes: X12_5_a = "m*v"\n',
+        'no answer yet: write a formula, a letter or a word in quotes: X12_5_a = "m*v"\n',
     ),
     ("X12_5_a", "m, v = 2, 3\nX12_5_a = m*v\nIn = ['', 'm, v = 2, 3', 'X12_5_a = m*v']", "read as 6 kg m/s"),
     (
         "X12_5_d",
         "In = ['', 'X12_5_d = B']",
-        'no answer yet: a formula, a letter or a word stands in quotes: X12_5_d = "B"\n',
+        'no answer yet: write a formula, a letter or a word in quotes: X12_5_d = "B"\n',
     ),
-    ("X12_5_a", "x12_5_a = 8.6", "no answer yet: x12_5_a is another name than X12_5_a\n"),
+    ("X12_5_a", "x12_5_a = 8.6", "no answer yet: you wrote x12_5_a instead of X12_5_a\n"),
     (
         "X12_5_a",
         "X12_5_a = None\nIn = ['X12_5_a = None  # 8.6 N s']",
-        "no answer yet: what stands behind # is not read",
+        "no answer yet: text behind # is not read",
     ),
     (
         "X12_5_a",
         "In = ['8.6 N s', 'check()']",
-        'no answer yet: a value needs its name: X12_5_a = "8.6 N s"\n',
+        'no answer yet: give the value its name: X12_5_a = "8.6 N s"\n',
     ),
     (
         "X12_5_a",
@@ -131,7 +131,7 @@ SAID = [
     (
         "X12_5_h",
         "X12_5_h = ['p = m v', 'J = dp']",
-        "letters of your own: p: J in line 2 is not a letter of the problem, and no line says what it is",
+        "letters of your own: p: J in line 2 is not a letter of the problem, and no line defines it",
     ),
     ("X12_5_h", "X12_5_h = 3", "cannot be read: write a list of equations, each as text"),
     ("X12_5_i", "X12_5_i = [0.5, '3 m/s']", "read as (0.5, 3 m/s)"),
@@ -349,9 +349,9 @@ NO_VALUE = "no answer yet: its cell gives X12_5_a no value; write X12_5_a = …"
         ("p = 9.3", NO_VALUE),
         ("", NO_VALUE),
         ("X12_5_a = None\n9.3", NO_VALUE),
-        ("9.3 N s", 'no answer yet: a value needs its name: X12_5_a = "9.3 N s"'),
-        ("x12_5_a = 9.3", "no answer yet: x12_5_a is another name than X12_5_a"),
-        ("X12_5_a = 9.3 N s", 'no answer yet: a number with its unit stands in quotes: X12_5_a = "9.3 N s"'),
+        ("9.3 N s", 'no answer yet: give the value its name: X12_5_a = "9.3 N s"'),
+        ("x12_5_a = 9.3", "no answer yet: you wrote x12_5_a instead of X12_5_a"),
+        ("X12_5_a = 9.3 N s", 'no answer yet: write a number with its unit in quotes: X12_5_a = "9.3 N s"'),
         ("X12_5_a: float = 9.3", "read as 9.3 kg m/s"),
         ("X12_5_a, other = 5, 3", "read as 5 kg m/s"),
         ("for X12_5_a in [4, 5]: pass", "read as 5 kg m/s"),

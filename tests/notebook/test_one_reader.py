@@ -124,7 +124,7 @@ def in_words(answer: Answer) -> str:
             )
             if answer.open_words and not remark:
                 own = f"\u201c{answer.open_words}\u201d"
-                return f"read as {as_read}; a person will read what {own} says of it; write the number and its unit alone"
+                return f"read as {as_read}; your teacher will read {own}; write only the number and its unit"
             same = figures[0] if len(set(figures)) == 1 else 0
             count = f" ({same} figure{'s' if same > 1 else ''})" if same else ""
             return f"read as {as_read}{remark}" if remark else f"read as {as_read}{count}"

@@ -41,9 +41,9 @@ def test_the_first_hint_is_the_next_step():
     """A kick: the change of momentum is the impulse, and divided by the time it is the mean force."""
     assert (
         told("X12.5", "c")[0]
-        == "Find first what (a) asks for: Change of momentum. From there it is 2 steps more."
+        == "First find the answer to (a): Change of momentum. After that, 2 steps to go."
     )
-    assert told("X12.5", "c", "a")[0].startswith("Find first what (b) asks for")
+    assert told("X12.5", "c", "a")[0].startswith("First find the answer to (b)")
     assert told("X12.5", "c", "a", "b")[0] == "One step is left, and it starts from your answer in (b)."
     assert "Change of momentum" in told("X12.5", "a")[1]
     assert r"\Delta p = m\, v_{1} - m\, v_{0}" in told("X12.5", "a")[2]
@@ -81,7 +81,7 @@ def test_what_no_law_says_is_told_by_what_counts_and_a_check():
     """An impulse is the integral of the force, the answer itself; still there is more to say than that one step is left."""
     found = told("S12.3", "a")
     assert len(found) == 2
-    assert "What counts here: the largest force; the time of contact" in found[1]
+    assert "The answer depends on: the largest force; the time of contact" in found[1]
 
 
 @pytest.mark.parametrize("code", CODES)

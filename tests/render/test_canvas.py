@@ -127,5 +127,5 @@ def test_numbers_are_typed_in_a_unit_that_four_decimals_suffice_for(text, value,
 def test_the_rule_for_decimals_is_in_the_language_of_the_question():
     with language("de"):
         _, files = written("X12.5")
-    assert "hinter einem Komma" in files["few/few.xml"]
-    assert "behind a point" in written("X12.5")[1]["few/few.xml"]
+    assert "Dezimalkomma" in files["few/few.xml"]
+    assert "decimal point" in written("X12.5")[1]["few/few.xml"]

@@ -134,5 +134,5 @@ def test_a_grade_that_moodle_does_not_have_is_the_nearest_below():
 def test_the_rule_for_decimals_is_in_the_language_of_the_question():
     with language("de"):
         (_, question) = questions(of("X12.5"))
-    assert "hinter einem Komma" in text(question)
-    assert "behind a point" in text(questions(of("X12.5"))[1])
+    assert "Dezimalkomma" in text(question)
+    assert "decimal point" in text(questions(of("X12.5"))[1])

@@ -141,13 +141,13 @@ def test_what_went_wrong_is_said_in_the_students_language(run) -> None:
         failed = run("def f(): return 1 / 0\nx = 3", calls=calls)
         died = run("x = 1", "import os; os._exit(0)")
     assert {key: call.trouble for key, call in failed.calls.items()} == {
-        "f": "in der Funktion kam ZeroDivisionError: division by zero",
+        "f": "die Funktion brach mit ZeroDivisionError: division by zero ab",
         "g": "es gibt keine Funktion namens g",
         "x": "x ist keine Funktion",
     }
     assert died.trouble == (
         "Der Prozess des Notebooks hat sich in Codezelle 2 selbst beendet, wie es os._exit tut. "
-        "Der Rest wurde noch einmal ohne das ausgeführt."
+        "Der Rest wurde ohne diese Zelle noch einmal ausgeführt."
     )
     assert died.cells[1].error == "der Prozess des Notebooks endete in dieser Zelle"
 

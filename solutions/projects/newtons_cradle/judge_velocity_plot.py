@@ -47,7 +47,7 @@ def judge_velocity_plot(
         if len(pair) != 2 or not (0 < pair[0] < math.inf and 1 <= pair[1] <= STEEPEST):
             return Doubt(
                 _(
-                    "The figure shows the contact of your function, and that gives no pair (k, q) to compare it with: a person will look."
+                    "The figure shows the contact of your function, which gives no pair (k, q) to compare with, so your teacher will mark it."
                 )
             )
         k, q = pair

@@ -139,7 +139,7 @@ def slips(
                 turned = (*values[:place], -value, *values[place + 1 :])
                 yield turned, _("The sign of one component is wrong.")
         if len(values) == 2 and values[0] != values[1]:
-            yield (values[1], values[0]), _("The two components have changed places.")
+            yield (values[1], values[0]), _("The two components are interchanged.")
     if unit.dimension == ONE:
         degrees = _("That looks like degrees where radians are asked for; write the unit, as in 30 deg.")
         yield tuple(map(math.degrees, values)), degrees

@@ -415,7 +415,7 @@ def _half_directed(inside: str, unit: str) -> ParseError | None:
     ]
     directed = 0 if along[0] else 1
     choice = f"({'; '.join(whole if directed == _axis(way) else whole[::-1])})"
-    why = _("a term without a direction stands beside one with a direction")
+    why = _("one term has a direction and another has none")
     return ambiguous(why, None, choice)
 
 

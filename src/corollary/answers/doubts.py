@@ -66,7 +66,7 @@ def _of_a_power(typed: str) -> ParseError | None:
         return _asked(typed, lost, why, f"{number}*10^-{power}", f"({number}*10) - {power}")
     if (lost := LOST_CROSS.search(typed)) is not None:
         power = re.sub(r"\s", "", lost["power"]).replace("−", "-").replace("–", "-")
-        why = _("{text} may be a power of ten that lost its raising", text=lost[0].strip())
+        why = _("{text} may be a power of ten whose exponent is not raised", text=lost[0].strip())
         return _asked(typed, lost, why, f"{lost['number']}*10^{power}")
     if (ten := TEN_TWICE.search(typed)) is not None:
         number, power = ten["number"], ten["power"].replace("−", "-").replace("–", "-").lstrip("+")

@@ -34,18 +34,14 @@ def judge_formulas(
     `in_symbols`: a formula is asked for, so that numbers in it are not enough.
     """
     if wanted.formulas is None:
-        return Unmarked(
-            _("This answer has no closed form to compare a formula with; a person will look at it.")
-        )
+        return Unmarked(_("This answer has no formula to compare yours with, so your teacher will mark it."))
     where = wanted.domain()
     found = [compare(tree, right, where) for tree, right in zip(answer.trees, wanted.formulas, strict=True)]
     if all(isinstance(each, Equal) for each in found):
         return Right()
     if any(isinstance(each, Undecided) for each in found):
         return Unmarked(
-            _(
-                "The machine can neither show that this formula is right nor that it is wrong; a person will look at it."
-            )
+            _("The program could not decide whether this formula is right, so your teacher will mark it.")
         )
     if not in_symbols and (verdict := _by_value(answer, wanted, wanted.formulas, question)) is not None:
         return verdict

@@ -130,7 +130,7 @@ def _exact_value(answer: Numbers, wanted: Quantity) -> str:
         return ""
     if not target or math.isclose(answer.values[0], target, rel_tol=EXACT):
         return ""
-    return _("Right; it is exactly {value}, whatever the numbers are.", value=f"{target:g}")
+    return _("Right; it is exactly {value} for all numbers.", value=f"{target:g}")
 
 
 def _above(values: Values, unit: Unit) -> Values:
@@ -164,7 +164,7 @@ def _in_words(answer: Numbers, wanted: Quantity, question: Question) -> Verdict:
         return verdict
     return Unmarked(
         _(
-            "The size is right; a person will read your words on the direction: {answer}.",
+            "The size is right; your teacher will read your words on the direction: {answer}.",
             answer=answer.as_read,
         )
     )

@@ -34,7 +34,7 @@ class Preview:
 def about_open_words(words: str) -> str:
     """What the words beside a number make of it."""
     return _(
-        "a person will read what \u201c{words}\u201d says of it; write the number and its unit alone",
+        "your teacher will read “{words}”; write only the number and its unit",
         words=words,
     )
 
@@ -83,13 +83,13 @@ def preview_of(answer: Answer) -> Preview:
             if unknown is None:
                 return Preview(True, read)
             remark = _(
-                "{letter} in line {line} is not a letter of the problem, and no line says what it is",
+                "{letter} in line {line} is not a letter of the problem, and no line defines it",
                 letter=unknown.undefined,
                 line=unknown.line,
             )
             return Preview(False, f"{read}: {remark}")
         case Prose():
-            return Preview(True, _("will be read by a person"))
+            return Preview(True, _("your teacher will read it"))
         case _:
             assert_never(answer)
 

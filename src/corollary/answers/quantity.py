@@ -189,7 +189,7 @@ def _parse(text: str, normalized: str, expected: Unit | None) -> Reading | Parse
 def _with_spread(found: Reading, spread: str) -> Reading | ParseError:
     """The value with its uncertainty beside it, as it is shown; refused where that is too wide."""
     if not _is_small(spread, found):
-        why = _("an uncertainty of more than a tenth leaves the value open")
+        why = _("the uncertainty is more than a tenth of the value")
         return refused(why, None, _("write one number and a unit"))
     return replace(found, as_read=f"{found.as_read} ± {spread.strip()}")
 
@@ -234,7 +234,11 @@ def _beside_sides(
             return ParseError("asked", why, None, _("write one number and a unit"))
     wanted = expected or last.unit or PURE
     if len(sides) == 1 and is_name(sides[0], question) and is_another_given(sides[0], wanted, question):
-        why = _("{letter} is given, and is no {wanted}", letter=sides[0].strip(), wanted=show(wanted) or "1")
+        why = _(
+            "{letter} is a given, and is not measured in {wanted}",
+            letter=sides[0].strip(),
+            wanted=show(wanted) or "1",
+        )
         return ParseError("asked", why, None, _("write the answer without it"))
     if other := next((side for side in sides if another_body(side, question)), ""):
         why = _("{letter} is not what is asked for", letter=other.strip())

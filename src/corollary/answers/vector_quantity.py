@@ -68,7 +68,7 @@ def _bare_beside_unit(found: Sequence[Reading], expected: Unit | None) -> ParseE
         f"({'; '.join(each.as_read if each.unit or not each.value else f'{each.as_read} {show(its_unit)}' for each in found)})"
         for its_unit in (unit, expected)
     )
-    why = _("{number} has no unit beside {other}", number=bare[0].as_read, other=show(unit))
+    why = _("{number} has no unit, but {other} has one", number=bare[0].as_read, other=show(unit))
     return ambiguous(why, None, *choices)
 
 

@@ -258,7 +258,9 @@ class _StudentFiles:
 def _beside_a_notebook(each: Arrival, name: str, by_student: Collection[str]) -> Arrival:
     """A file of another kind from a student whose notebook came, too: nobody need ask for one."""
     if each.outcome == UNUSABLE and each.student in by_student and each.why == not_a_notebook(name):
-        return msgspec.structs.replace(each, why=f"is not a notebook; nothing to do, since {name}.ipynb came, too")
+        return msgspec.structs.replace(
+            each, why=f"is not a notebook; nothing to do, since {name}.ipynb came, too"
+        )
     return each
 
 

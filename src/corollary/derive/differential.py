@@ -233,13 +233,13 @@ def generally(
             return Generally(
                 _by_modes(system, apart, x, start, values, sign),
                 values,
-                N_("one of two coupled ones, solved in the combinations of both that move by themselves"),
+                N_("one of two coupled equations, solved in decoupled combinations of both"),
             )
         case -1 | 0 if system.order == 1 and sign(b):
             return Generally(
                 _by_elimination(system, x, start, values, sign),
                 values,
-                N_("one of two coupled ones, made one of second order"),
+                N_("one of two coupled equations, combined into one of second order"),
             )
         case None:
             raise NotSolved(

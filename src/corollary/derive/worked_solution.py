@@ -368,7 +368,7 @@ def _unknown(
     if find.note:
         lines += [find.note.spoken(), ""]
     for reason in find.rejected:
-        lines += [_("*Another root of these laws is refused:* {reason}.", reason=reason.spoken()), ""]
+        lines += [_("*Another root of these laws is rejected:* {reason}.", reason=reason.spoken()), ""]
     lines += _result(find, numbers, part, known)
     for route in find.routes:
         because, laws = route.stated.because, route.stated.laws
@@ -402,7 +402,7 @@ def _neglected(
     supposed = "; ".join(f"${letter(name)} = {texts[name]}$: {why}" for name, why in _reasons(each))
     opening = _("*Neglected:* {what}. {because}", what=each.what, because=find.statement.because)
     if supposed:
-        opening += " " + _("(Supposed: {supposed}.)", supposed=supposed)
+        opening += " " + _("(Assumed: {supposed}.)", supposed=supposed)
     lines = [opening, ""]
     for law in find.laws:
         lines += [_law(law), ""]

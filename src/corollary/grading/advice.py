@@ -45,14 +45,12 @@ def advice(key: Key, part: Part) -> tuple[str, ...]:
     matters = _dependencies(key, asked)
     sentences = [_think_of(laws)] if laws else []
     if not matters and _is_constant(key, asked):
-        sentences.append(
-            _("What counts here: none of the given numbers; the answer is the same for all of them.")
-        )
+        sentences.append(_("The answer depends on none of the given numbers."))
     else:
         quantities = [_described(key, each) for each in _used(key, steps) if each in matters]
         quantities += [_("your answer in {part}", part=f"({earlier})") for earlier in _earlier(key, steps)]
         if quantities:
-            sentences.append(_("What counts here: {quantities}.", quantities=_listed(quantities)))
+            sentences.append(_("The answer depends on: {quantities}.", quantities=_listed(quantities)))
     return (*sentences, *filter(None, (_check(key, part, asked, matters),)))
 
 
@@ -161,7 +159,7 @@ def _check(key: Key, part: Part, asked: Unknown, matters: Sequence[Given]) -> st
     """Something to type that needs no key and may fail: half the step of a program, the answer as a formula, or at another value."""
     if not isinstance(asked.local, ClosedForms):
         return _(
-            "A check: halve the step of your program and type what it gives then; three figures must stay as they are."
+            "A check: halve the step of your program and type the new result; its first three figures must not change."
         )
     if not matters:
         counted = part.id in key.truths and key.truths[part.id].counted
@@ -171,7 +169,7 @@ def _check(key: Key, part: Part, asked: Unknown, matters: Sequence[Given]) -> st
         if not going_in:
             return ""
         return _(
-            "A check: work it out once more with another value of `{letter}`; it must come to the same.",
+            "A check: calculate again with another value of `{letter}`; the answer must stay the same.",
             letter=going_in[0].symbol,
         )
     units_tell = any(
@@ -179,7 +177,7 @@ def _check(key: Key, part: Part, asked: Unknown, matters: Sequence[Given]) -> st
     )  # plain numbers make any sum fit
     if answer_type(part.answer_type).in_symbols or not units_tell:
         return _(
-            "A check: what must become of it when {quantity} is doubled? Type your formula with `2*{letter}` in the place of `{letter}`, and compare.",
+            "A check: how must your answer change when {quantity} is doubled? Type your formula with `2*{letter}` in place of `{letter}`, and compare.",
             letter=matters[0].symbol,
             quantity=_described(key, matters[0]),
         )
@@ -187,20 +185,20 @@ def _check(key: Key, part: Part, asked: Unknown, matters: Sequence[Given]) -> st
     unit = show(part.unit)
     if not unit or part.rows or part.unit.dimension == PURE.dimension:
         return _(
-            "A check: type it as a formula of {letters}; you are told where its units do not fit.",
+            "A check: type your answer as a formula of {letters}; you are told if its units do not match.",
             letters=letters,
         )
     return _(
-        "A check: type it as a formula of {letters}; you are told where it does not come to {unit}.",
+        "A check: type your answer as a formula of {letters}; you are told if its unit is not {unit}.",
         letters=letters,
         unit=unit,
     )
 
 
 def _of_choice(key: Key, choice: SolvedChoice) -> Iterator[str]:
-    yield _("For each option ask which law would have to be broken if it were true.")
+    yield _("For each option, ask which law it would violate.")
     conditions = [each for ways in choice.options.values() for way in ways for each in way]
     letters = names(*conditions)
     used = [_described(key, each) for each in key.variant.problem.givens if each.symbol in letters]
     if used:
-        yield _("What counts here: {quantities}.", quantities=_listed(used))
+        yield _("The answer depends on: {quantities}.", quantities=_listed(used))

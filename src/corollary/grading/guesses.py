@@ -137,5 +137,5 @@ def for_nothing(verdict: Verdict) -> Verdict:
             return verdict
         case _:
             return Wrong(
-                _("The same number stands in most parts: it earns nothing where it is not the answer.")
+                _("You gave the same number in most parts. It earns points only where it is the answer.")
             )

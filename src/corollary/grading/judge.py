@@ -186,7 +186,9 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
             right = next((each for each in verdicts if isinstance(each, Right | Follows)), None)
             reason = _begun(f"{why}.", answer.as_read)
             if isinstance(right, Right) and benefit:
-                return Right(_("Taken as the number that is right. ({reason})", reason=reason))
+                return Right(
+                    _("This can be read in two ways; the right one counts. ({reason})", reason=reason)
+                )
             if right is not None and benefit:
                 return right
             if right is not None:
@@ -218,7 +220,7 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
             found = judging(name).judge(answer, expected)
             if isinstance(found, Right) and (tree := _disagreeing(beside, value, expected)) is not None:
                 why = _(
-                    "{formula} does not come to {answer}; write the answer alone",
+                    "{formula} does not give {answer}; write the answer alone",
                     formula=formula_text(tree),
                     answer=answer.as_read,
                 )

@@ -124,7 +124,7 @@ def slips_of_input(key: Key, truth: Truth, base: WhatIf) -> Iterator[tuple[Value
             if isinstance(find.local, ClosedForms)
         }
         what_if = WhatIf(base.held, swapped | dict(base.rules))
-        sentence = _("Sine and cosine have changed places: check from where the angle is measured.")
+        sentence = _("Sine and cosine are interchanged: check from where the angle is measured.")
         yield from _replayed(key, truth, what_if, givens, sentence)
 
 
@@ -140,7 +140,7 @@ def _replayed(
 def _unconverted(given: Given) -> str:
     """What the student reads where the bare number of a given was put in."""
     if given.unit.pi and given.unit.dimension == Dimension():
-        return _("Your calculator took the angle for radians; it is given in degrees.")
+        return _("Your calculator was set to radians, but the angle is given in degrees.")
     if given.unit.dimension == SPEED:
         return _("{symbol} was put in as if it were in m/s; convert km/h first.", symbol=given.symbol)
     return _("{symbol} was put in without converting its unit to SI.", symbol=given.symbol)

@@ -17,7 +17,7 @@ def sentence(verdict: Verdict) -> str:
             return note or _("Right.")
         case Follows(earlier, True):
             return _(
-                "This is your answer in {parts} again, and that answer is not right: it earns nothing a second time.",
+                "This repeats your answer in {parts}, which is not right, so it earns nothing here.",
                 parts=_parts(earlier),
             )
         case Follows(earlier):

@@ -38,7 +38,7 @@ def marked_notebook(marked: Marked, problem_set: ProblemSet, submitted: Notebook
     nb = restored(sheet, submitted, marked.runs)
     with_verdicts(nb, marked)
     with_rubrics(nb, marked)
-    noticed = _("Something was noticed in this notebook; the report says what.") if marked.notes else ""
+    noticed = _("The report has notes on this notebook.") if marked.notes else ""
     remarks = [f"> **{safe_markdown(text)}**" for text in (marked.trouble, noticed) if text]
     nb.cells[1:1] = [
         new_markdown_cell(remark, id=f"remark_{number}") for number, remark in enumerate(remarks)
@@ -69,7 +69,7 @@ def with_rubrics(nb: NotebookNode, marked: Marked) -> None:
         grade = verdicts.get(cell.get("id", ""))
         if grade is not None and isinstance(grade.verdict, Unmarked) and grade.verdict.rubric:
             items = "\n".join(f"> - {item}" for item in grade.verdict.rubric)
-            heading = _("To mark it by ({points} points)", points=in_convention(f"{grade.out_of:g}"))
+            heading = _("Rubric ({points} points)", points=in_convention(f"{grade.out_of:g}"))
             cells.append(new_markdown_cell(f"> **{heading}**\n>\n{items}", id=f"{cell.id}_rubric"))
     nb.cells = cells
 

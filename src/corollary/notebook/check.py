@@ -133,23 +133,23 @@ class Check:
         if bare := unquoted(name, last, self._space.keys()):
             line = f'{name} = "{bare}"'
             if bare[0] in "+-.,0123456789":
-                return _("no answer yet: a number with its unit stands in quotes: {line}", line=line)
-            return _("no answer yet: a formula, a letter or a word stands in quotes: {line}", line=line)
+                return _("no answer yet: write a number with its unit in quotes: {line}", line=line)
+            return _("no answer yet: write a formula, a letter or a word in quotes: {line}", line=line)
         if error := self._stopped.get(name):
             return _("no answer yet: its cell stopped with {error}; correct it and run it again", error=error)
         if older is None and self._space.get(name) is not None:
             return ""
         for other in self._space:
             if other != name and other.lower() == name.lower() and other not in self._questions:
-                return _("no answer yet: {other} is another name than {name}", other=other, name=name)
+                return _("no answer yet: you wrote {other} instead of {name}", other=other, name=name)
         written = text_found(last, blank, name)
         if written.startswith(f"{name} =") and "#" in written:
-            return _("no answer yet: what stands behind # is not read; write it in place of None")
+            return _("no answer yet: text behind # is not read; write your answer in place of None")
         before = (cells[-2] if len(cells) > 1 else "") if older is None else older
         before = before.strip()
         if BARE.fullmatch(before):
             value = before if before[0] in "\"'" else f'"{before}"'
-            return _("no answer yet: a value needs its name: {line}", line=f"{name} = {value}")
+            return _("no answer yet: give the value its name: {line}", line=f"{name} = {value}")
         if older is not None or written:
             return _(
                 "no answer yet: its cell gives {name} no value; write {line}", name=name, line=f"{name} = …"

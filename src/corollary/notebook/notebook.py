@@ -60,7 +60,7 @@ def check_source(sheet: Worksheet) -> str:
         second=_(
             "No answer is hidden in it, only the code that reads yours when they are marked, compressed; print(check.source) shows it."
         ),
-        too_old=_("check needs Python 3.11 or newer; what you write counts all the same"),
+        too_old=_("check needs Python 3.11 or newer; without it your answers still count"),
         carried=_of_set(tuple(prompts)),
     )
 

@@ -140,7 +140,7 @@ def _opening(key: Key, left: Remaining, place: int) -> str:
     """What a step finds, and how many come after it."""
     step, problem, after = left.steps[place], key.variant.problem, len(left.steps) - 1 - place
     if not after and place:
-        return _("Now the last step: what is asked.")
+        return _("Now the last step: the quantity asked for.")
     if not after and left.starts:
         parts = ", ".join(f"({problem.part(each).heading_letter})" for each in left.starts)
         return _("One step is left, and it starts from your answer in {parts}.", parts=parts)
@@ -149,13 +149,13 @@ def _opening(key: Key, left: Remaining, place: int) -> str:
     if step.part:
         part = problem.part(step.part)
         return _(
-            "Find first what ({part}) asks for: {title}. From there it is {count} more.",
+            "First find the answer to ({part}): {title}. After that, {count} to go.",
             part=part.heading_letter,
             title=part.title,
             count=_steps(after),
         )
     return _(
-        "First find a quantity that is not asked for; call it {found}. From there it is {count} more.",
+        "First find a quantity that is not asked for; call it {found}. After that, {count} to go.",
         found=", ".join(f"${letter(name)}$" for name in step.names),
         count=_steps(after),
     )

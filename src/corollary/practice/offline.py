@@ -55,8 +55,8 @@ class Offline:
         if not isinstance(verdict, Right | Follows | Unread | Unmarked) and _beyond(key, name, wrong):
             return Unmarked(
                 _(
-                    "What would follow from your earlier answers takes a simulation, which cannot be run here: "
-                    "compare it with the worked solution."
+                    "With your earlier answers, this part needs a simulation, which this page cannot run: compare"
+                    " with the worked solution."
                 )
             )
         return verdict

@@ -200,7 +200,7 @@ def _of_totals(film: Film) -> list[str]:
     return [
         _("Total momentum: {before} kg m/s, then {after} kg m/s.", before=written[0], after=written[1]),
         _(
-            "Total energy of motion and height: {before} J, then {after} J.",
+            "Total kinetic and potential energy: {before} J, then {after} J.",
             before=number(before),
             after=number(after),
         )

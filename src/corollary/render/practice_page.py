@@ -143,7 +143,7 @@ def _words() -> dict[str, str]:
         "ended": _("The program behind this page has ended; start `corollary practise` again."),
         "missing": _("The file {file} is missing beside this page; copy the whole folder."),
         "empty": _("Write an answer first."),
-        "checking": _("Looking at it …"),
+        "checking": _("Checking …"),
         "noHint": _("There is no hint for this part."),
         "noMoreHints": _("That was the last hint. The worked solution below goes step by step."),
         "solved": _("All of it is right. It comes back in {days}."),

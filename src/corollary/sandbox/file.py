@@ -109,10 +109,10 @@ def _refused(error: OSError | ValueError) -> Unreadable:
         return Unreadable(N_("The file cannot be opened: {what}."), {"what": error})
     match error.errno:
         case errno.ELOOP | errno.EMLINK:  # what O_NOFOLLOW says of a link (open(2); FreeBSD has EMLINK)
-            return Unreadable(N_("The file is a link, which is not followed: hand in the file itself."))
+            return Unreadable(N_("The file is a link, so it was not read: hand in the file itself."))
         case errno.ENOTDIR:  # O_DIRECTORY with O_NOFOLLOW says this of a link to a folder
             message = N_(
-                "The folder it lies in is a link or no folder, which is not followed: hand in the folder itself."
+                "Its folder is a link, or not a folder, so it was not read: hand in the folder itself."
             )
             return Unreadable(message)
         case errno.ENXIO:  # a socket

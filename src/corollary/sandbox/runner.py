@@ -183,7 +183,7 @@ _SIGNALS = {
     "SIGILL": N_("a crash in compiled code (illegal instruction)"),
     "SIGXCPU": N_("its computing time was used up"),
     "SIGSYS": N_("a system call that is not allowed"),
-    "SIGKILL": N_("it was killed, most likely for want of memory"),
+    "SIGKILL": N_("it was killed, most likely because it used too much memory"),
 }
 # Why there is no value, by the worker's word for it.
 _NO_VALUE = {
@@ -229,7 +229,7 @@ def _trouble(job: Job, state: WorkerState) -> str:
             why = _(_SIGNALS[name]) if name in _SIGNALS else name
         except ValueError:
             why = _("signal {number}", number=code - 128)
-        return _("The notebook's process died {place}: {why}.", place=place, why=why)
+        return _("The notebook's process crashed {place}: {why}.", place=place, why=why)
     return _("The notebook's process ended itself {place}, as os._exit does.", place=place)
 
 

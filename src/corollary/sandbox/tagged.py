@@ -48,7 +48,7 @@ PREDICATES = {
     "numbers": N_("is an array of {what} numbers, more than {most}"),
     "no numbers": N_("is an array of {what}, not of numbers"),
     "sympy": N_("is a {what} of sympy, not an expression"),
-    "size": N_("is too large to be brought back"),
+    "size": N_("is too large to be read"),
     # What no honest worker sends.
     "nesting": N_("is nested too deeply"),
     "denominator": N_("is a fraction with denominator zero"),

@@ -137,7 +137,7 @@ WRONG = {
     ),
     "eight curves": (
         two("t", "F", "p", *LABELS).replace("plt.show", "for n in range(2, 9): a.plot(t, F * n)\nplt.show"),
-        "among many others",
+        "many other curves",
     ),
 }
 

@@ -78,7 +78,7 @@ def test_a_program_that_does_not_step_with_dt_is_right_and_told():
     assert isinstance(judged(3, exact), Remark)
     said = judged(3, lambda inputs: (1.1 * exact(inputs)[0], *exact(inputs)[1:]))
     assert isinstance(said, Fault)
-    assert "steps of its own" in said.sentence
+    assert "uses its own step" in said.sentence
 
 
 @pytest.mark.parametrize(

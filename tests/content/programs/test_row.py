@@ -79,7 +79,7 @@ def test_errors_that_stay_or_fall_too_slowly_are_told_and_cost_nothing():
     stays, slow = judged(off(0)), judged(off(1))
     assert isinstance(stays, Remark)
     assert isinstance(slow, Remark)
-    assert "does not bring the result nearer" in stays.sentence
+    assert "does not reduce the error" in stays.sentence
     assert "first order" in slow.sentence
     assert judged(off(2)) is None
 
@@ -110,7 +110,7 @@ def test_what_grows_beyond_all_numbers_is_known():
 def test_a_step_too_large_of_ones_own_is_told():
     said = judged(lambda inputs: row(inputs, dt=60 * max(inputs["dt"], 2e-5)))
     assert isinstance(said, Fault)
-    assert "steps of its own" in said.sentence or "step is small enough" in said.sentence
+    assert "uses its own step" in said.sentence or "step is small enough" in said.sentence
 
 
 def test_a_fixed_number_of_steps_is_right_with_one_step_and_told_with_the_other():

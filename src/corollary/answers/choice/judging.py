@@ -18,7 +18,7 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
     assert expected.option is not None
     if not expected.option.letter:
         return Unmarked(
-            _("The options were corrected after this sheet was handed out: a person will decide.")
+            _("The options were corrected after this sheet was handed out, so your teacher will decide.")
         )
     if answer.letter == expected.option.letter:
         return Right()

@@ -32,7 +32,7 @@ class CodeType(AnswerType):
 
     def blank(self, question: Question) -> str:
         unit = show(question.unit)
-        returns = "\n\n    " + _("Answers in {unit}.", unit=unit) + "\n    " if unit else ""
+        returns = "\n\n    " + _("Returns values in {unit}.", unit=unit) + "\n    " if unit else ""
         return f'def {question.signature}:\n    """{question.title}.{returns}"""\n    ...'
 
     def read(self, value: Value, question: Question) -> Answer:

@@ -50,7 +50,7 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
             )
         return Unread(_("With these numbers a law has no value; choose others."))
     if broken:
-        return Wrong(_("Your numbers do not keep this law: {laws}.", laws=_(" and ").join(broken)))
+        return Wrong(_("Your numbers do not satisfy this law: {laws}.", laws=_(" and ").join(broken)))
     return Right(_("Every law holds for your numbers."))
 
 

@@ -38,11 +38,11 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
     grounds = grounds_of(claim, points, expected.question)
     held = truths(steps, points)
     if not points:
-        return Unmarked(_("This could not be checked; a person will look at it."), _rubric(claim))
+        return Unmarked(_("This could not be checked, so your teacher will mark it."), _rubric(claim))
     unknown = next((step for step in steps if step.undefined), None)
     if unknown is not None and ("false" not in held or unknown.line <= steps[held.index("false")].line):
         why = _(
-            "{letter} in line {line} is not a letter of the problem, and no line says what it is; a person will look at it.",
+            "{letter} in line {line} is not a letter of the problem, and no line defines it, so your teacher will mark this.",
             letter=unknown.undefined,
             line=unknown.line,
         )
@@ -93,23 +93,23 @@ def _on_the_way(steps: Sequence[Equation], held: Sequence[str], claim: Claim, gr
     try:
         found = limited(standings, tuple(steps), grounds, seconds=SECONDS)
     except NotFinished:
-        return Unmarked(_("This took too long to check; a person will look at it."), _rubric(claim))
+        return Unmarked(_("This took too long to check, so your teacher will mark it."), _rubric(claim))
     content = [each for each in found if each.kind not in ("definition", "empty")]
     if not content:
-        return Wrong(_("The lines are identities: they hold whatever the quantities are."))
+        return Wrong(_("These lines are identities: they hold for all values of the quantities."))
     if not any(each.claims for each in found):
         if any(each.kind == "undecided" for each in found):
-            return Unmarked(_("This could not be checked; a person will look at it."), _rubric(claim))
-        return Wrong(_("What is written holds, but what was to be shown is not yet among the lines."))
+            return Unmarked(_("This could not be checked, so your teacher will mark it."), _rubric(claim))
+        return Wrong(_("Your lines are right, but the claim itself is not yet among them."))
     if all(each.claims for each in content):
-        return Wrong(_("This is the claim alone; a proof shows the way from the laws to it."))
+        return Wrong(_("This is only the claim; a proof derives it from the laws."))
     reached = next(
         (place for place, each in enumerate(found) if each.claims and each.kind == "follows"), len(found)
     )
     for place, each in enumerate(found[: reached + 1]):
         if held[place] == "otherwise":
             why = _(
-                "Line {line} can be read in two ways, and holds with the bracket below the line: a person will decide.",
+                "Line {line} can be read in two ways, and is right if the bracket is in the denominator, so your teacher will decide.",
                 line=steps[place].line,
             )
             return Unmarked(why, _rubric(claim))
@@ -121,19 +121,19 @@ def _on_the_way(steps: Sequence[Equation], held: Sequence[str], claim: Claim, gr
     for place, each in enumerate(found[: reached + 1]):
         if each.divisor is not None:
             why = _(
-                "Line {line} divides by {divisor}, which may be zero, and no line says what holds then; a person will look at it.",
+                "Line {line} divides by {divisor}, which may be zero, and no line treats that case, so your teacher will mark this.",
                 line=steps[place].line,
                 divisor=text(each.divisor),
             )
             return Unmarked(why, _rubric(claim))
-    return Right(_("The laws stand there, and every line follows from those above it."))
+    return Right(_("The laws are given, and every line follows from the lines above it."))
 
 
 def _open(line: int, claim: Claim) -> Unmarked:
     return Unmarked(
         _(
-            "Nothing that is written is false, but it was not seen how line {line} follows from the lines above it, "
-            "without a law that is not written; a person will look at it.",
+            "No line is wrong, but the program could not derive line {line} from the lines above it; a "
+            "law may be missing. Your teacher will mark it.",
             line=line,
         ),
         _rubric(claim),
@@ -176,7 +176,7 @@ def _false(steps: Sequence[Equation], place: int, claim: Claim, grounds: Grounds
 def _rubric(claim: Claim) -> tuple[str, ...]:
     """What the person looks for."""
     return (
-        *(_("states or uses rightly: {law}", law=text(law)) for law in claim.laws),
+        *(_("states or uses correctly: {law}", law=text(law)) for law in claim.laws),
         _("arrives at {target} without a gap", target=text(claim.target)),
     )
 

@@ -65,7 +65,7 @@ def _of_entry(answer: Numbers | Formulas | Blank | Unclear, wanted: Quantity, qu
             if not any(isinstance(each, Right) for each in found):
                 return Unread(f"{why[0].upper()}{why[1:].rstrip('.')}.")
             if benefit:
-                return Right(_("Taken as the number that is right."))
+                return Right(_("This can be read in two ways; the right one counts."))
             return Unmarked(_("It can be read in two ways, and one of them is right."))
 
 

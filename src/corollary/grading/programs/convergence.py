@@ -115,13 +115,13 @@ class Family:
 
 
 GROWN = N_(
-    "What comes back has grown beyond all numbers. A force with the wrong sign drives everything on ever faster: check it; "
-    "or the step is far too large."
+    "The returned values have become infinite. Check the sign of the force, and whether the step "
+    "is far too large."
 )
-OWN = N_("Halving `dt` changes nothing, so your function has steps of its own, and they may be too large.")
+OWN = N_("Halving `dt` changes nothing, so your function uses its own step, which may be too large.")
 LATER = N_(
-    "With the longer step your function is right, with half of that step it is not: the error does not shrink as it should. "
-    "Does it stop after a fixed number of steps, or at a fixed time?"
+    "Your function is right with the longer step, but not with half of it: its error does not "
+    "shrink. Does it stop after a fixed number of steps, or at a fixed time?"
 )
 
 
@@ -163,15 +163,16 @@ def remark(both: Sequence[tuple[Called, Called]], standards: Sequence[Standard])
 
 
 FORMULA = N_(
-    "Right. Halving `dt` changes nothing: your function does not step with it (it is a formula, or a solver with steps of its own)."
+    "Right. Halving `dt` changes nothing: your function does not use it as its step (it is a formula, or a solver with its own steps)."
 )
 STAYS = N_(
-    "Right, within the tolerance; but halving `dt` does not bring the result nearer, as it should. Is it read before the contact "
-    "has ended, or stepped a fixed number of times?"
+    "Right within the tolerance, but halving `dt` does not reduce the error. Do you read the "
+    "result before the contact has ended, or take a fixed number of steps?"
 )
 FIRST_ORDER = N_(
-    "Right. Halving `dt` halves the error: a method of first order. Euler–Cromer's error falls to a quarter where no energy is lost; "
-    "is the velocity read half a step late, or the position stepped with the old one?"
+    "Right. Halving `dt` halves the error, so your method is of first order. Without energy loss,"
+    " Euler–Cromer's error falls to a quarter: do you read the velocity half a step late, or "
+    "update the position with the old velocity?"
 )
 
 

@@ -102,7 +102,7 @@ def judge_code(
     with _authors(variant, code, "the judge fails"):
         verdict = _verdict(code.judge(variant.si, called))
     if isinstance(verdict, Mistaken) and len(called) > 1 and _is_constant(called):
-        return Wrong(_("{function} returns the same, whatever it is called with.", function=part.function))
+        return Wrong(_("{function} returns the same for all arguments.", function=part.function))
     return verdict
 
 
@@ -151,7 +151,9 @@ def judge_plot(
         with limited():
             return _judge_plot(solution, variant, part, run, secret, student)
     except TooMuchCompared:
-        return Unmarked(_("More is drawn than can be compared for one part: a person will look at it."))
+        return Unmarked(
+            _("There are more curves than the program compares for one part, so your teacher will mark it.")
+        )
 
 
 def _judge_plot(
@@ -182,9 +184,9 @@ def _judge_plot(
         isinstance(verdict_on([figure for figure in others if figure.cell == cell]), Right) for cell in cells
     )
     if right and own is blank:
-        return Right(_("Right. (The figure was drawn in another cell than its own.)"))
+        return Right(_("Right. (The figure was drawn in another cell, not in the one of this part.)"))
     if right or (own is blank and run.elsewhere):
-        return Unmarked(_("The figure may be one that was drawn in another cell: a person will look at it."))
+        return Unmarked(_("The figure may come from another cell, so your teacher will mark it."))
     return own
 
 

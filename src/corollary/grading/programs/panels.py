@@ -176,9 +176,7 @@ def judge_panels(panels: Sequence[Panel], figures: Sequence[Axes]) -> Fault | Do
         any(len(axes.lines) > MOST_CURVES for axes in seen)
         or sum(len(axes.lines) for axes in seen) > MOST_IN_ALL
     ):
-        return Fault(
-            _("There are more curves than can be told apart: draw those that are asked for, and no others.")
-        )
+        return Fault(_("There are too many curves to tell apart. Draw only the curves asked for."))
     read = [_Seen(read_label(axes.xlabel), read_label(axes.ylabel), curves(axes.lines)) for axes in seen]
     compared = [[_found(panel, axes) for axes in read] for panel in panels]
     for panel, of_axes in zip(panels, compared, strict=True):
@@ -201,13 +199,13 @@ def _beside(others: int) -> Fault | Doubt | None:
     if others > FOR_A_PERSON:
         return Fault(
             _(
-                "The curves asked for are among many others ({others}) that are not. Draw those that are asked for, and no others.",
+                "There are many other curves ({others}) besides those asked for. Draw only the curves asked for.",
                 others=others,
             )
         )
     return Doubt(
         _(
-            "The curves asked for are there, and others that were not: a person will look at it. (Not asked for: {others}.)",
+            "The curves asked for are there, but others, too, so your teacher will mark it. (Not asked for: {others}.)",
             others=others,
         )
     )
@@ -268,8 +266,8 @@ def _unlabelled(panel: Panel, seen: Sequence[_Seen]) -> Fault | None:
         if not _compared(panel, axes.curves).missing:
             return Fault(
                 _(
-                    "The curves of {what} are there, but their labels do not say so. Each axis needs a label that names the "
-                    "quantity and its unit, and the numbers must be in that unit: for example {x} and {y}.",
+                    "The curves of {what} are there, but the axes are not labelled so. Label each axis with its "
+                    "quantity and unit, and plot the numbers in that unit: for example {x} and {y}.",
                     what=panel.what,
                     x=panel.x.label,
                     y=panel.y.label,
@@ -307,7 +305,7 @@ def _incomplete(panel: Panel, labelled: Sequence[_Found]) -> Fault:
         return fault
     return Fault(
         _(
-            "The curve of {name} is not there as your numbers make it, along its whole length.",
+            "The curve of {name} does not match your numbers along its whole length.",
             name=best.missing[0].name,
         )
     )

@@ -313,11 +313,11 @@ def _questions(item: LmsItem, asked: PartAsked, comments: str) -> Iterator[tuple
 def _number(component: str, scale: TypedScale) -> str:
     if scale.text:
         asked = _(
-            "Write the number alone, in {unit}, with three significant figures or more.", unit=scale.text
+            "Write only the number, in {unit}, with at least three significant figures.", unit=scale.text
         )
     else:
-        asked = _("Write the number with three significant figures or more.")
-    point = _("Decimals stand behind a point, not behind a comma.")
+        asked = _("Write the number with at least three significant figures.")
+    point = _("Use a decimal point, not a comma.")
     return f"{component + ': ' if component else ''}{asked} {point}"
 
 

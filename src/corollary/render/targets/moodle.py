@@ -337,14 +337,14 @@ def words(asked: PartAsked) -> str:
 
 def _numbers_only() -> str:
     return _(
-        "Into each field for a number write the number alone, in the unit that stands beside it, with three significant figures "
-        "or more: 4.71 or 6.30e-5. Decimals stand behind a point, not behind a comma."
+        "In each number field, write only the number, in the unit beside the field, with at least "
+        "three significant figures: 4.71 or 6.30e-5. Use a decimal point, not a comma."
     )
 
 
 def _number_and_unit() -> str:
     return _(
-        "Write a number, with three significant figures or more, and its unit. Decimals stand behind a point, not behind a comma."
+        "Write a number with at least three significant figures, and its unit. Use a decimal point, not a comma."
     )
 
 

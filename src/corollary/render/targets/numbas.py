@@ -293,8 +293,8 @@ def _row(item: LmsItem, places: Sequence[int]) -> dict[str, object]:
 
 def _numbers_only() -> str:
     return _(
-        "Into each field for a number write the number alone, in the unit that stands beside it, with three significant figures "
-        "or more: 4.71 or 6.30e-5. A decimal comma is understood, too."
+        "In each number field, write only the number, in the unit beside the field, with at least "
+        "three significant figures: 4.71 or 6.30e-5. A decimal comma is accepted, too."
     )
 
 

@@ -92,8 +92,9 @@ def _item(item: LmsItem, parts: Sequence[PartAsked], identifier: str) -> str:
 
 def _numbers_only() -> str:
     return _(
-        "Into each field for a number write the number alone, in the unit that stands beside it, with three significant figures "
-        "or more: 4.71 or 6.30e-5. Decimals stand behind a point here; what stands behind a comma is not read."
+        "In each number field, write only the number, in the unit beside the field, with at least "
+        "three significant figures: 4.71 or 6.30e-5. Use a decimal point; digits behind a comma are "
+        "not read."
     )
 
 
