@@ -51,7 +51,7 @@ SOLUTIONS = {
     "recursive": (SOLUTION.replace("BEFORE", "f = lambda: f(); f()"), "recursive.py:5: derive fails: RecursionError"),
     "exiting": ("import sys; sys.exit(3)\n" + SOLUTION, "exiting.py:1: cannot be loaded: SystemExit"),
     "leaving": (SOLUTION.replace("BEFORE", "__import__('os')._exit(3)"), "leaving.py:5: derive fails: SystemExit: it would end the program (status 3)"),
-    "killed": ("import os, signal\nos.kill(os.getpid(), signal.SIGKILL)\n" + SOLUTION, "killed.py:1: ends the process that verifies it"),
+    "killed": ("import os, signal\nos.kill(os.getpid(), signal.SIGKILL)\n" + SOLUTION, "killed.py:1: ends the verifying process"),
     "strange": (SOLUTION.replace("BEFORE", "class Odd(BaseException): pass\n    raise Odd"), "strange.py:6: derive fails: Odd"),
     "not_utf": (SOLUTION.replace("Def.", "Größe").encode("latin-1"), "not_utf.py:6: is not Python"),
     "stranger": (SOLUTION.replace("step(p,", "step('p',"), "stranger.py:6: part a: it cannot be solved"),
@@ -199,7 +199,7 @@ def test_a_loop_without_end_costs_its_own_problem(tmp_path, monkeypatch, place, 
     with ThreadPoolExecutor(1) as pool:
         said = pool.submit(answer, "E1").result() if in_a_thread else answer("E1")
     if place == "derive":
-        assert re.match(r"endless\.py:5: derive fails: TooLong: .*; mend the loop that does not end", said)
+        assert re.match(r"endless\.py:5: derive fails: TooLong: .*; correct the loop that does not end", said)
     else:
         assert json.loads(said) == {"html": ""}
         assert found.endless == {"E1"}

@@ -95,8 +95,8 @@ def test_who_has_what_is_listed_and_taken_back(course: Path):
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (["ada", "one"], "say one thing"),
-        (["ada", "one", "2999-12-11", "--excuse"], "say one thing"),
+        (["ada", "one"], "give one of"),
+        (["ada", "one", "2999-12-11", "--excuse"], "give one of"),
         (["ada", "--excuse"], "name the student and the problem set"),
         (["ada", "one", "soon"], "soon is not a date or time; write it as 2026-12-04"),
         (["ada", "one", "2999-12-01"], "is before one is due anyway, Wednesday 4 December 2999"),

@@ -30,7 +30,7 @@ def test_the_course_is_the_one_around(course: Path, tmp_path: Path, monkeypatch)
     found = completed(GRADE, course_needed=True, any_bank=False)
     assert found == {"course": course, "jobs": None, "executor": "", "require": 1, "bank": []}
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(Refusal, match="name it with --course, or change into its folder"):
+    with pytest.raises(Refusal, match="name the course with --course, or change into its folder"):
         completed(GRADE, course_needed=True, any_bank=False)
     monkeypatch.setenv("COROLLARY_COURSE", str(course))
     assert completed(GRADE, course_needed=True, any_bank=False)["course"] == course

@@ -110,8 +110,8 @@ def test_the_topic_is_the_one_named_or_that_of_the_neighbour(said, tmp_path):
     [
         (("Q1", "other"), "has the code Q1 already"),
         (("q1", "other"), "has the code Q1 already"),
-        (("Q2", "sliding_box"), "sliding_box.md is there already"),
-        (("Q2", "elsewhere/sliding_box"), "sliding_box.md is there already"),
+        (("Q2", "sliding_box"), "sliding_box.md exists already"),
+        (("Q2", "elsewhere/sliding_box"), "sliding_box.md exists already"),
         (("Q 2", "other"), "Q 2 is not a valid code"),
         (("Q2", "../other"), "is not a valid file name"),
         (("Q2", "a/b/other"), "is not a valid file name"),
@@ -135,7 +135,7 @@ def test_a_solution_without_its_problem_stays(said, tmp_path):
     left.write_text("# mine", encoding="utf-8")
     status, _, err = said("Q1", "lens", "--bank", "mine")
     assert (status, left.read_text(encoding="utf-8")) == (2, "# mine")
-    assert "lens.py is there already" in err
+    assert "lens.py exists already" in err
 
 
 def test_where_no_bank_is_named(said, tmp_path, monkeypatch):

@@ -193,7 +193,7 @@ def test_a_set_that_cannot_be_found_any_more_is_left_out_by_its_record(class_at_
     (class_at_work.parent / "week1.md").unlink()
     done = run("practise", "X12.6", "--no-browser")
     assert done.exit_code == 2
-    assert "week1 (its file is lost, and nobody knows when it is due)" in done.stderr
+    assert "week1 (its file is lost, so its date is unknown)" in done.stderr
 
 
 def test_what_is_for_everybody_is_exported_from_a_courses_folder(class_at_work: Path, little: Path):

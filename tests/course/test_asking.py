@@ -80,8 +80,8 @@ def test_what_happened_is_said_and_nothing_else(corrected: Path, graded: Path) -
         return forked.run(list(map(str, line)), capture_output=True, encoding="utf-8", check=False).stdout
 
     assert "would grade 3, unchanged 0" in said("--dry-run")
-    assert "graded 2, held back 1 (nobody agreed), unchanged 0" in said()
-    assert "graded 0, held back 1 (nobody agreed), unchanged 2" in said()
+    assert "graded 2, held back 1 (not confirmed), unchanged 0" in said()
+    assert "graded 0, held back 1 (not confirmed), unchanged 2" in said()
     dry = grade(graded, "--dry-run", name=corrected).document
     assert (dry["graded"], dry["held"], dry["written"]) == (0, ["ada"], False)
 

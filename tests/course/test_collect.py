@@ -97,7 +97,7 @@ def test_what_is_nobodys_stays_in_the_report_until_it_is_somebodys(course: Path,
     done = grade(course)
     assert len(done.document["nobodys"]) == 2
     page = Path(done.document["report"]).read_text()
-    assert "Collected, and nobody knows whose" in page
+    assert "Collected, owner unknown" in page
     assert "made for zoe, who is not on the roster" in page
     (folder / "unnamed.ipynb").rename(folder / "ada.ipynb")
     collected(course, folder)

@@ -71,7 +71,7 @@ def test_the_command(course: Path, tmp_path: Path) -> None:
     assert "## X12.5 Kicking a ball" in text
     assert text.count("**Right** (1 of 1)") >= 3
     assert "Your answer, as read:" in text
-    assert "ben, cyd: their number in Canvas is not known" in done.stderr
+    assert "ben, cyd: no file, since their number in Canvas is unknown" in done.stderr
 
 
 WORKSHEET = (
@@ -94,7 +94,7 @@ def test_a_person_of_whom_moodle_has_two_gets_nothing_that_may_be_anothers(
             "Ada Lovelace_171_assignsubmission_file_/one-feedback.html",
             "Cyd Charisse_174_assignsubmission_file_/one-feedback.html",
         ]
-    assert "ben: their number in Moodle is not known" in done.stderr
+    assert "ben: no file, since their number in Moodle is unknown" in done.stderr
 
 
 def test_what_a_person_gave_since_is_in_the_page_that_goes_back(course: Path, tmp_path: Path) -> None:

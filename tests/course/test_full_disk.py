@@ -43,7 +43,7 @@ def test_a_full_disk_under_the_course(room: int, handed_in: Path, tmp_path: Path
     said = (tmp_path / "said").read_text()
     assert done.returncode == 0, (done.stderr, said)
     assert "corollary: No space left on device" in said
-    assert "make room and run this again" in said
+    assert "free disk space and run this again" in said
     assert "Traceback" not in said
     students = json.loads((tmp_path / "answer").read_text())["students"]
     assert {student: each["points"] for student, each in students.items()} == EVERYBODY

@@ -125,5 +125,5 @@ def test_a_broken_nbgrader_config_is_named(line: str, why: str, graded: Path) ->
     assert done.status == 2
     assert done.errors.startswith(f"corollary: {config}")
     assert why in done.errors
-    assert "mend the file" in done.errors
+    assert "correct the file" in done.errors
     assert "Traceback" not in done.errors

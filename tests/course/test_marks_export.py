@@ -132,7 +132,7 @@ def test_moodle_gets_ids_with_their_zeros_marks_after_lateness_and_blanks(folder
     assert done.rows[1]["First name"] == f"'{FORMULA}"
     assert done.document["waiting"] == ["007", "0100"]
     assert (
-        "2 students with parts that wait for a person; those points are not in the marks yet: 007, 0100"
+        "2 students with parts that wait for marking; their points are not in the marks yet: 007, 0100"
         in done.errors
     )
 
@@ -145,7 +145,7 @@ def test_canvas_reads_its_columns_its_second_row_and_the_title(folder: Path) -> 
     assert points_row[0].strip() == "Points Possible"
     assert float(points_row[-1]) == sum(points_possible(folder))
     assert rows[0][:5] == ["Lovelace, Ada", "", "", "", ""]  # the roster was not Canvas's
-    assert "it goes by the name alone" in done.errors
+    assert "students are matched by name alone" in done.errors
     assert [row[-1] for row in rows][2:] == ["", ""]
     assert float(rows[0][-1]) == pytest.approx(points(folder)["007"], abs=0.05)
 
@@ -203,8 +203,8 @@ def test_a_file_of_the_lms_is_filled_in(folder: Path) -> None:
         ["Nobody, Ned 2009"],
         ["0100", "cyd", "dag"],
     )
-    assert "1 student in the file and not in the course, left as they are: Nobody, Ned 2009" in done.errors
-    assert "3 students of the course, not in the file: 0100, cyd, dag" in done.errors
+    assert "1 student in the file but not in the course, so unchanged: Nobody, Ned 2009" in done.errors
+    assert "3 students in the course but not in the file: 0100, cyd, dag" in done.errors
 
 
 def test_two_sets_are_two_columns(folder: Path) -> None:

@@ -74,7 +74,7 @@ def test_an_earlier_date_makes_nobody_late_whose_sheet_prints_the_other(ball: Ch
     (correction,) = document["corrections"]
     assert (correction["code"], sorted(correction["students"])) == ("week", ["ada", "ben"])
     assert correction["sentence"].startswith(
-        "is due Friday 20 November 2099, 23:59 (Europe/Oslo) now, and their sheet prints Friday 4 December 2099, 23:59 (UTC)"
+        "is due Friday 20 November 2099, 23:59 (Europe/Oslo) now, and these sheets print Friday 4 December 2099, 23:59 (UTC)"
     )
     assert document["with_renew"] == {"ben": []}
     assert "2 students: ada, ben" in said
@@ -87,8 +87,8 @@ def test_an_earlier_date_makes_nobody_late_whose_sheet_prints_the_other(ball: Ch
     course = open_course(ball.course)
     (ada,) = report_of(course, set_of(course, "week")[1]).noticed
     assert ada.notes[-1] == (
-        "came after Friday 20 November 2099, 23:59 (Europe/Oslo), and the sheet prints Saturday 5 December 2099, 00:59 "
-        "(Europe/Oslo): that date counts"
+        "handed in after Friday 20 November 2099, 23:59 (Europe/Oslo), but the sheet prints Saturday 5 December 2099, 00:59 "
+        "(Europe/Oslo), which counts"
     )
 
 
@@ -107,7 +107,7 @@ def test_a_new_sheet_gives_the_new_date(ball: ChangingBank) -> None:
 def test_a_later_date_and_a_date_where_none_was_count_at_once(ball: ChangingBank) -> None:
     date(ball, "2099-12-11")
     (correction,) = generate(ball)[1]["corrections"]
-    assert correction["sentence"].endswith("they have the longer time")
+    assert correction["sentence"].endswith("the later date counts")
     (ball.course / "submitted/ada/week/timestamp.txt").write_text("2099-12-10 12:00:00 UTC")
     assert grade(ball.course, name="week").points == {"ada": 3.0}
     date(ball, "")
@@ -116,7 +116,7 @@ def test_a_later_date_and_a_date_where_none_was_count_at_once(ball: ChangingBank
     generate(ball, "--renew", "--yes")
     date(ball, "2099-12-01")
     found = {tuple(each["students"]): each["sentence"] for each in generate(ball)[1]["corrections"]}
-    assert "prints no date: the new one holds" in next(text for who, text in found.items() if "ben" in who)
+    assert "print no date: the new date counts" in next(text for who, text in found.items() if "ben" in who)
 
 
 def test_a_sheet_that_is_lost_is_written_with_its_own_date(ball: ChangingBank) -> None:

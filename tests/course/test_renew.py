@@ -66,14 +66,14 @@ def test_every_change_is_listed_and_renewing_keeps_the_numbers_that_may_stay(bal
     status, document, said = generate(ball)
     assert status == 0
     assert [each["sentence"] for each in document["corrections"]] == [
-        "the given v is drawn from other values now: their numbers hold",
-        "the given q is new: they have its printed value",
-        "part a is worth 2 now, and was worth 1: marks follow it",
-        "part b is worth 2 now, and was worth 1: marks follow it",
-        "part c is gone: marks given for it stay, and where it was not marked it is not counted",
-        "part d is new: they were not asked it, and it is not held against them",
-        "has other words or another figure: they are marked by, and shown, those they were given",
-        "has a corrected solution: marks follow it",
+        "the given v is drawn from other values now: the numbers handed out stay valid",
+        "the given q is new: these students have its printed value",
+        "part a is worth 2 now, and was worth 1: marks follow the change",
+        "part b is worth 2 now, and was worth 1: marks follow the change",
+        "part c was removed: marks given for it stay, and unmarked answers are not counted",
+        "part d is new: it does not count for these students, who were not asked it",
+        "has a changed text or figure: these students keep the text and figure they were given",
+        "has a corrected solution: marks follow the correction",
     ]
     moving = sorted(student for student in ("ben", "cyd") if before[student]["v"] < 30)
     assert document["with_renew"] == {

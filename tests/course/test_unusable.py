@@ -56,7 +56,7 @@ def test_a_file_that_is_no_notebook_is_said_by_name(handed_in: Path, name: str) 
     done = grade(handed_in)
     assert done.points == {"ada": 5.0, "cyd": 5.0}
     shown = name.replace("\x1b", "\\x1b")
-    sentence = f"no notebook but a file that cannot be marked ({shown}); ask for one.ipynb"
+    sentence = f"a file that is not a notebook ({shown}); ask for one.ipynb"
     assert f"ben handed in {sentence}" in done.errors
     assert sentence in Path(done.document["report"]).read_text()
     assert done.document["unclear"] == {"ben": [name]}

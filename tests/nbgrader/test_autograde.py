@@ -164,7 +164,7 @@ def test_nbgrader_waits_its_turn_while_another_run_is_writing(courses: tuple[Cou
             timeout=300,
         )
     assert done.returncode == 1
-    assert "another run is at work in" in done.stdout + done.stderr
+    assert "another corollary command is running in" in done.stdout + done.stderr
     assert (place.read_bytes(), rows(theirs, GRADES)) == (before, marks)
 
 

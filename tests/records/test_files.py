@@ -95,7 +95,11 @@ def test_a_damaged_key_is_never_replaced(course: Course):
 def test_a_second_writer_is_told_and_the_next_one_may(tmp_path: Path) -> None:
     course = create_course(tmp_path / "course", [Student("ada")])
     before = sorted(path.name for path in (course.folder / ".corollary").iterdir())
-    with one_writer(course), pytest.raises(BeingGraded, match="another run is at work"), one_writer(course):
+    with (
+        one_writer(course),
+        pytest.raises(BeingGraded, match="another corollary command is running"),
+        one_writer(course),
+    ):
         pass
     with one_writer(course):
         assert sorted(path.name for path in (course.folder / ".corollary").iterdir()) == before

@@ -98,7 +98,7 @@ def test_canvas_keeps_its_second_row_its_excuse_and_a_mark_that_is_not_ours(tmp_
     )
     assert (made.strangers, made.absent) == ((), ())
     assert made.notes == (
-        "Week 1: impulse (4411): a mark stands in the file and there is none here, so it is left as it is: Cyd Müller",
+        "Week 1: impulse (4411): the file has a mark and the course has none, so it is unchanged: Cyd Müller",
     )
 
 
@@ -127,7 +127,7 @@ def test_a_name_is_enough_where_one_has_it_and_is_said(tmp_path: Path) -> None:
         "Ben Bitdiddle,bb3,", "Ben Bitdiddle,bb3,0"
     )
     assert made.notes == (
-        "no id is known, and the name alone says who it is: Lovelace  ada al17, Ben Bitdiddle bb3",
+        "matched by name alone, since no id is known: Lovelace  ada al17, Ben Bitdiddle bb3",
     )
     assert made.strangers == ("BITDIDDLE bb3",)
 
@@ -136,7 +136,7 @@ def test_ids_that_contradict_each_other_get_nothing(tmp_path: Path) -> None:
     text = "ID number,Email address,Points\n007,ben@uio.no,\n0100,ben@uio.no,\n"
     made = filled(tmp_path / "mixed.csv", text, "3")
     assert made.content.decode() == text.replace("0100,ben@uio.no,", "0100,ben@uio.no,0")
-    assert made.notes == ("ids contradict each other; nothing is written for 007 ben@uio.no",)
+    assert made.notes == ("the ids name different students, so nothing is written for: 007 ben@uio.no",)
 
 
 REFUSED = [
@@ -151,7 +151,7 @@ REFUSED = [
     ("id,Points\nada,\n", ("3",), "has no column 3"),
     ("id,Points\nada,\n", ("Points", "Points"), "is to get Week 1: impulse: name a column for each"),
     ("id,week_1\nzoe,\n", (), "names no student of the course"),
-    ("id,x,week_1\nada\n", (), "the row of Ada Lovelace is shorter than the first one"),
+    ("id,x,week_1\nada\n", (), "the row of Ada Lovelace has too few cells"),
 ]
 
 

@@ -32,4 +32,4 @@ def test_a_number_at_the_end_of_a_title_is_that_of_an_assignment() -> None:
 
 def test_who_loses_an_excuse_in_canvas_is_named() -> None:
     (note,) = notes("Week 1", frozenset({"ben"}))
-    assert "takes away what Canvas has of them, EX too: Ben Doe;" in note
+    assert "deletes the marks that Canvas has of them, also EX: Ben Doe;" in note

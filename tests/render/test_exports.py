@@ -179,7 +179,7 @@ def test_a_newcomer_without_a_number_turns_nobodys_id_into_a_folder_name():
         (),
         (
             'each row has Email address; choose it under "Map from" in Moodle',
-            "ID number is left out, for not everybody has one of their own: ek-1f2e3d4c",
+            "ID number is left out, since these students have none or share one: ek-1f2e3d4c",
         ),
     )
 
@@ -195,7 +195,7 @@ def test_where_no_id_is_everybodys_most_are_in_the_file_and_the_others_are_named
     absent, (of_all, of_absent) = notes("moodle-grades", table)
     assert absent == ("ek-1f2e3d4c",)
     assert of_all.startswith("each row has ID number; choose it")
-    assert of_absent == "no id is everybody's; without ID number on the roster: ek-1f2e3d4c"
+    assert of_absent == "no id column covers every student; without ID number on the roster: ek-1f2e3d4c"
 
 
 def test_an_id_as_the_roster_had_it_and_never_the_folders_name():
@@ -228,9 +228,9 @@ def test_canvas_is_told_no_id_that_it_never_gave():
     absent, said = notes("canvas-grades", table)
     assert absent == ("k1", "k2")
     assert said[0].startswith(
-        "no id of Canvas's is on the roster, so it goes by the name alone: Ada Lovelace; --template"
+        "no id of Canvas's is on the roster, so students are matched by name alone: Ada Lovelace; --template"
     )
-    assert "cannot tell people of one name apart" in said[1]
+    assert "cannot tell students of the same name apart" in said[1]
     login = (("SIS Login ID", "kim2"),)
     known = _of(
         Student("k1", "Kim", "Lee", ids=(("ID", "31"), ("SIS Login ID", "kim1"))),

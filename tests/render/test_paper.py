@@ -91,7 +91,7 @@ def test_no_name_and_no_text_is_markup(text: str):
 
 
 def test_a_letter_that_no_font_has_is_named():
-    with pytest.raises(CannotTypeset, match="no font of this machine has what is to be set"):
+    with pytest.raises(CannotTypeset, match="no font on this machine has a character of the text"):
         page(words_of("Ada \u0378"))
 
 

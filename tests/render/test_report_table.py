@@ -57,7 +57,7 @@ def test_one_who_is_late_is_counted():
 def test_what_chance_explains_is_a_sentence_and_no_table():
     fits = [Shared(f"s{number}", "ada", ("X12_5_d",), 0.56) for number in range(70)]
     noise = report([HandedIn("ada", "", 1.0, 1.0)], [], shared=fits)
-    assert "70 times a wrong answer fits somebody else's numbers, which chance explains." in said(noise)
+    assert "70 times a wrong answer fits another student's numbers, which chance explains." in said(noise)
     assert "by chance" not in said(noise)
     told = report(
         [HandedIn("ada", "", 1.0, 1.0)], [], shared=[Shared("cyd", "ada", ("X12_5_d",), 0.004), *fits[:1]]

@@ -34,7 +34,7 @@ def test_a_picture_that_nothing_shows(verified, tmp_path):
     path.with_name("cart_old.png").write_bytes(png())
     checked = verify(bank, find(bank, "X1.1"), 20)
     assert checked.ok
-    assert any(note.startswith("cart.md:1: cart_old.png lies beside it") for note in checked.notes)
+    assert any(note.startswith("cart.md:1: cart_old.png is in its folder") for note in checked.notes)
     path.write_text(path.read_text().replace("A cart.", "A cart. ![an old cart](cart_old.png)"))
     assert not any("cart_old" in note for note in verify(bank, find(bank, "X1.1"), 20).notes)
 
@@ -244,7 +244,7 @@ def test_what_an_author_may_want_to_know(verified, good, problem):
     checked = verified(twice.replace('printed("a", "1.5 kg m/s", "(1.1)"),', ""), problem=more)
     assert checked.ok, checked.complaints
     assert list(checked.notes) == [
-        "cart.md:5: value: 9 of m lies outside from: 0.2 to: 0.9; nobody gets it",
+        "cart.md:5: value: 9 of m is outside from: 0.2 to: 0.9; no student gets it",
         "cart.md:8: the given s is used in no answer; leave it out, unless it is there to be left aside",
         "cart.py:9: part a foresees no mistake; say at least two",
         "cart.py:12: this mistake gives the same value as 'You multiplied.'; students are told that",
@@ -262,7 +262,7 @@ def test_a_letter_that_nothing_introduces_is_noted(verified, good):
         '(r,) = unknowns("r")\nreturn derivation(\n    step(r, "Way.", law("Way", "2*r = 2*v*t")),',
     )
     said = [note for note in verified(unnamed).notes if "stands for" in note]
-    assert said == ['cart.py:10: nothing says what r stands for; say it where it is named, unknowns(r="…")']
+    assert said == ['cart.py:10: r has no meaning; give one where it is named, unknowns(r="…")']
 
 
 def test_an_erratum_is_on_record_and_one_that_is_none_is_said(verified, good):

@@ -319,7 +319,7 @@ def _trouble(path: Path, error: Exception) -> str:
         case RecursionError():
             return f"{path.name}: is nested too deeply"
         case _:  # a fault of a reader costs this file, not those after it
-            return shortened(f"{path.name}: its reader fails on it ({type(error).__name__}: {error})")
+            return shortened(f"{path.name}: its reader fails ({type(error).__name__}: {error})")
 
 
 def _sentence(error: Malformed) -> str:

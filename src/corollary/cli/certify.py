@@ -59,12 +59,12 @@ def run(code: str, bank: Path | None, output: Path | None, check: bool, as_json:
         if outcome == "not proven" and each.claim in by_algebra:
             print(
                 f"{problem.code}: {each.claim} (part {step.part or 'none'}): verify proves it by algebra, the kernel does not; "
-                "do not rely on it before it is known why",
+                "do not rely on it until the reason is known",
                 file=sys.stderr,
             )
     empty = any(each.why == EMPTY for _, each, _ in rows)
     if empty:
-        print(f"{problem.code}: {EMPTY}; mend its conditions or its ranges", file=sys.stderr)
+        print(f"{problem.code}: {EMPTY}; correct its conditions or its ranges", file=sys.stderr)
     return FAILS if failed or empty else HOLDS
 
 

@@ -42,5 +42,7 @@ def chosen_variant(
     opened = open_course(course)
     found = variant_anywhere(opened, problem, find_student(opened, student).id)
     if found is None and size(problem) > 1:
-        refuse(f"{student} has no numbers for {problem.code} in {course}; generate a set with it first")
+        refuse(
+            f"{student} has no sheet with {problem.code} in {course}; generate a set with this problem first"
+        )
     return found or chapter(problem)

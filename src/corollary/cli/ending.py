@@ -152,7 +152,9 @@ def _unforeseen(error: Exception) -> int:
     sentence = unforeseen(error)
     if isinstance(error, OSError):
         remedy = (
-            "; make room and run this again, what is written so far stands" if error.errno == ENOSPC else ""
+            "; free disk space and run this again; what is written so far is valid"
+            if error.errno == ENOSPC
+            else ""
         )
         say(f"corollary: {error.strerror or error}{f': {error.filename}' if error.filename else ''}{remedy}")
         return REFUSED

@@ -129,7 +129,7 @@ def _of_one_set(
         pages = feedback_files(course, problem_set, given["ids"] or given["template"])
         if pages.without:
             say(
-                f"{few(pages.without)}: their number in {pages.lms.capitalize()} is not known, so they get no file"
+                f"{few(pages.without)}: no file, since their number in {pages.lms.capitalize()} is unknown; give it with --ids"
             )
         archive = chosen.feedback(pages.files)
         name = f"{problem_set.name}-feedback-{pages.lms}.{chosen.ending}"
@@ -157,10 +157,10 @@ def _say_of_marks(table: MarksTable, made: FilledIn) -> None:
     for note in made.notes:
         say(note)
     if table.is_blank:
-        say("nobody has marks yet, because nothing was handed in when it was graded: every mark is blank")
+        say("every mark is blank, because nothing was handed in when the set was graded")
     for who, what in (
-        (made.strangers, "in the file and not in the course, left as they are"),
-        (made.absent, "of the course, not in the file"),
+        (made.strangers, "in the file but not in the course, so unchanged"),
+        (made.absent, "in the course but not in the file"),
         (
             table.out_of_another,
             "with a sheet out of other points than the column (--out-of N makes all marks out of N)",
@@ -169,7 +169,7 @@ def _say_of_marks(table: MarksTable, made: FilledIn) -> None:
             table.again,
             "with a new answer to what a person had marked; the marks of the earlier answers count until the new ones are marked",
         ),
-        (table.waiting, "with parts that wait for a person; those points are not in the marks yet"),
+        (table.waiting, "with parts that wait for marking; their points are not in the marks yet"),
     ):
         if who:
             say(f"{counted(len(who), 'student')} {what}: {few(who)}")
@@ -187,7 +187,7 @@ def _plans(
             )
         if without := len(students(course)) - len(sheets):
             say(
-                f"{without} of the roster have no numbers yet and get no file; generate {problem_set.name} again"
+                f"{without} of the roster have no sheet yet and get no file; generate {problem_set.name} again"
             )
         return sheets
     if given["roster"] is not None:

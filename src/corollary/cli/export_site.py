@@ -46,7 +46,7 @@ def run(named: Sequence[str], given: ExportOptions) -> int:
     files |= exercises
     found.problems = tuple(each for each in found.problems if each.code not in refused)
     for code, why in refused.items():
-        say(f"{code} is left out because it has no answers: {why}")
+        say(f"{code} is left out, since its answers cannot be derived: {why}")
     if not found.problems:
         refuse("no problem is left to practise on")
     files["index.html"] = page_file(found)

@@ -38,7 +38,7 @@ def run(
     opened, when = open_course(course), " ".join(date)
     if sum((bool(when), excuse, remove, listing)) != 1:
         refuse(
-            "say one thing: a date (corollary extend ada week1 2026-12-11), --excuse, --remove, or --list to see who has what"
+            "give one of: a date (corollary extend ada week1 2026-12-11), --excuse, --remove, or --list to see who has what"
         )
     if listing:
         return _list(opened, student or "", name or "", as_json)

@@ -70,10 +70,10 @@ def run(
     for student, why in done.not_run.items():
         say(f"{student} is not graded, because this machine failed: {why} Nothing is recorded; grade again")
     for student, what in done.failures.items():
-        say(f"{student}: an internal error occurred while this was marked, so a person has to look ({what})")
+        say(f"{student}: an internal error stopped the marking, so mark this by hand ({what})")
     if done.failures:
         say(
-            f"this is an error in Corollary: {done.log} says where; please report it, and grade again with the next version"
+            f"this is an error in Corollary; please report it with {done.log}, and grade again with the next version"
         )
     for student, names in done.unclear.items():
         say(f"{student} handed in {why_unclear(problem_set.name, names)}")
@@ -105,7 +105,7 @@ def ask(changed: tuple[Change, ...], *, as_json: bool, yes: bool) -> bool:
     show_changes(changed, as_json=as_json)
     count = sum(each.moves_points for each in changed)
     return agreed(
-        f"Marks that {count} {'student has' if count == 1 else 'students have'} already would move. Write them?",
+        f"Marks that {count} {'student has' if count == 1 else 'students have'} already would change. Write them?",
         yes,
     )
 
@@ -155,9 +155,9 @@ def show_changes(changed: tuple[Change, ...], *, as_json: bool) -> None:
 
     out = console(stderr=as_json)
     if not changed:
-        out.print("nobody's marks change")
+        out.print("no marks change")
         return
-    table = Table(title="Whose marks change", title_justify="left", title_style="bold")
+    table = Table(title="Changed marks", title_justify="left", title_style="bold")
     for heading in ("student", "had", "gets", "by", "parts", "why"):
         table.add_column(
             heading, justify="left" if heading in {"student", "parts", "why"} else "right", overflow="fold"
@@ -219,5 +219,5 @@ def what_was_done(done: Outcome, dry_run: bool) -> str:
     unchanged = f"unchanged {len(done.skipped)}"
     if dry_run:
         return f"would grade {len(done.held)}, {unchanged}"
-    refused = f"held back {len(done.held)} (nobody agreed), " if done.held else ""
+    refused = f"held back {len(done.held)} (not confirmed), " if done.held else ""
     return f"graded {len(done.graded)}, {refused}{unchanged}"

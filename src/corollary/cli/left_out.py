@@ -32,7 +32,7 @@ def completed(options: Mapping[str, Any], *, course_needed: bool, any_bank: bool
     folder = found.get("course") or course_around()
     if folder is None and course_needed:
         refuse(
-            "no course is named, and the working folder does not lie in one; name it with --course, or change into its folder"
+            "the working folder is not in a course; name the course with --course, or change into its folder"
         )
     settings = _settings(folder)
     if wanted:

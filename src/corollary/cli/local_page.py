@@ -132,7 +132,7 @@ def serve(server: OnePageServer, what: str, no_browser: bool) -> None:
     """`what` is said of the page behind its address; the server is closed at the end."""
     with server:
         print(server.address, flush=True)
-        say(f"this address is for you alone; {what}")
+        say(f"this address is private; {what}")
         if not no_browser:
             webbrowser.open(server.address)
         with suppress(KeyboardInterrupt):

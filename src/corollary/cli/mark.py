@@ -33,7 +33,7 @@ HELP = "points, or r and the rubric's numbers (r13), then a comment if you like;
 def mark_in_terminal(parts: Sequence[PartToMark], give: Give) -> None:
     """Asks for each answer and gives at once what is answered; the end of input ends it, with a sentence."""
     if not parts:
-        print("no answer waits for a person")
+        print("no answer waits for marking")
     given: list[str] = []
 
     def counted(part: str, students: Sequence[str], mark: ManualMark) -> None:
@@ -44,7 +44,7 @@ def mark_in_terminal(parts: Sequence[PartToMark], give: Give) -> None:
         _ask_all(parts, counted)
     except EOFError:
         count = "1 mark" if len(given) == 1 else f"{len(given)} marks"
-        print(f"\nthe input ended here: {count} given and saved, and what is left still waits")
+        print(f"\nthe input ended: {count} given and saved; the other answers still wait")
 
 
 def _ask_all(parts: Sequence[PartToMark], give: Give) -> None:
@@ -168,7 +168,7 @@ def _serve(
             score, comment = posted["points"], str(posted.get("comment") or "").strip()
             score = None if score is None else float(score)
         except (KeyError, TypeError):
-            raise NotMarkable("this page is of an earlier run; reload it") from None
+            raise NotMarkable("this page belongs to an earlier run; reload it") from None
         mark = ManualMark(score, None, comment or None, by=_who())
         give_marks(course, problem_set, {(each, part): given for each, given in _marks_of(group, mark)})
 

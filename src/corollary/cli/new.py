@@ -43,7 +43,7 @@ def run(code: str, name: str, like: str | None, bank: Path | None, as_json: bool
     have = codes(place)
     for path, other in have.items():
         if other.lower() == code.lower():
-            refuse(f"{path} has the code {other} already; choose another, nothing was written")
+            refuse(f"{path} has the code {other} already; choose another (nothing was written)")
     model = None if like is None else _model(place, like)
     folder = topic or (model[1].topic if model else _topic(have, code))
     problem = place.problems / folder / f"{stem}.md"
@@ -51,7 +51,7 @@ def run(code: str, name: str, like: str | None, bank: Path | None, as_json: bool
     namesakes = [path for path in have if path.stem == stem]
     for path in (*namesakes, solution, *([solution.with_suffix("")] if model else [])):
         if path.exists():
-            refuse(f"{path} is there already; choose another name, nothing was written")
+            refuse(f"{path} exists already; choose another name (nothing was written)")
     copies = _pictures(model[1].path, problem) | _beside(*model, solution) if model else {}
     asks, derives = _texts(code, stem.replace("_", " ").capitalize(), stem, model)
     for path, text in ((problem, asks), (solution, derives)):
@@ -78,7 +78,7 @@ def _place(bank: Path | None) -> Bank:
     if not named and not (Path.cwd() / "problems").is_dir():
         refuse(
             "the working folder is not a bank: it has no folder problems/; say with --bank FOLDER where the problem goes "
-            "(a folder that is not there is made)"
+            "(a missing folder is made)"
         )
     folder = Path(named) if named else Path.cwd()
     if folder.is_file():
@@ -124,7 +124,7 @@ def _missing(wanted: dict[Path, Path], what: str) -> dict[Path, Path]:
     """Those that are not there yet; refuses where another one is."""
     for theirs, ours in wanted.items():
         if ours.exists() and ours.read_bytes() != theirs.read_bytes():
-            refuse(f"{ours} is there already, and another {what}; rename it, nothing was written")
+            refuse(f"{ours} exists already as another {what}; rename it (nothing was written)")
     return {theirs: ours for theirs, ours in wanted.items() if not ours.exists()}
 
 

@@ -54,7 +54,7 @@ def not_to_be_practised(bank: Bank, names: Sequence[str], course: Course | None 
 def say_broken(found: Practice) -> None:
     """Say which problems of the bank nobody can practise on, and why."""
     for each in found.broken:
-        say(f"left out, since it is broken: {each}")
+        say(f"left out, since it has an error: {each}")
 
 
 def _is_a_sample(bank: Bank, name: str) -> bool:
@@ -87,7 +87,7 @@ def _open_in(course: Course, now: datetime) -> dict[str, tuple[datetime | None, 
 
 
 def _when(due: datetime | None) -> str:
-    return f"due {in_words(due)}" if due else "its file is lost, and nobody knows when it is due"
+    return f"due {in_words(due)}" if due else "its file is lost, so its date is unknown"
 
 
 def _codes(problem_set: ProblemSet) -> set[str]:

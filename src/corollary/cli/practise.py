@@ -64,7 +64,7 @@ def _server(found: Practice, port: int) -> OnePageServer:
             raise
         if port:
             refuse(f"port {port} cannot be used ({error.strerror}); choose another with --port")
-        say(f"port {USUAL_PORT} is in use: another is taken, and the browser keeps what is done there apart")
+        say(f"port {USUAL_PORT} is in use: another port is used, with progress of its own in the browser")
         return at(0)
 
 
@@ -73,12 +73,12 @@ def answered(found: Practice, posted: dict[str, Any]) -> str:
     try:
         ask, code, turn = posted["ask"], str(posted["code"]), int(posted["turn"])
         if not 0 <= turn < MOST_TURNS:
-            raise ValueError("there are not that many turns")
+            raise ValueError("there are fewer turns")
         if ask == "motion":
             return json.dumps(_motion(found, code, turn))
         return json.dumps(ANSWERS[ask](found.pose(code, turn), posted))
     except (KeyError, TypeError, IndexError):
-        raise ValueError("this page is of an earlier run; reload it") from None
+        raise ValueError("this page belongs to an earlier run; reload it") from None
     except (LookupError, NotDerivable, Undefined) as error:
         raise ValueError(str(error)) from None
 

@@ -44,7 +44,7 @@ def run(
         answer(_record(exercise(chosen), worked))
         return HOLDS
     if fmt == "pdf" and output is None and sys.stdout.isatty():
-        refuse("a PDF cannot be shown in a terminal; name a file with -o FILE")
+        refuse("a PDF cannot be shown in a terminal; write it to a file with -o FILE")
     text = write(exercise(chosen), Student(student or "you"), worked)
     if output is not None:
         output.write_bytes(text if isinstance(text, bytes) else text.encode())

@@ -82,7 +82,7 @@ def sheet_files(
     if target.problem_set is not None:
         return dict(target.problem_set(problem_set, sheets))
     if target.worksheet is None:
-        raise TypeError("the target is neither for worksheets nor for whole sets")
+        raise TypeError("this target takes neither worksheets nor whole sets")
     files: dict[str, bytes] = {}
     for sheet in sheets:
         worked = {} if solutions is None else _worked(solutions, sheet)
@@ -150,7 +150,7 @@ def marks_file(target: Target, table: MarksTable, template: Template | None) -> 
     if template is not None:
         return fill_in(template.path, table, template.headings)
     if target.marks is None:
-        raise TypeError("the target is not for marks")
+        raise TypeError("this target takes no marks")
     made = target.marks(table)
     if isinstance(made, str):
         made = MarksText(made)

@@ -152,7 +152,7 @@ class ProposedMarks:
                 self.failures.add(student, [failure])
                 if isinstance(failure := self._written([self.unmarked(one.submission)], book), Failure):
                     self.failures.add(student, [failure])
-                    self.not_run[student] = f"nothing of it can be written ({failure.what})."
+                    self.not_run[student] = f"no result can be written ({failure.what})."
 
     def _written(self, several: Sequence[GradedSubmission], book: Gradebook | None) -> Failure | None:
         if not several:

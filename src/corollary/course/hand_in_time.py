@@ -223,7 +223,7 @@ def dated(
                 guessed |= {archive} if not says_in_time else set()
         found.append(replace(each, when=when, time=source, latest=bound))
     remarks = [
-        f"{writable(archive)} does not say when anything was handed in: all of it is taken as in time; "
+        f"{writable(archive)} does not say when anything was handed in: everything counts as in time; "
         "--times FILE (Moodle's grading worksheet) says who was late"
         for archive in sorted(guessed)
     ]

@@ -165,7 +165,7 @@ def _programs() -> Iterator[Finding]:
     yield Finding(
         "Jupyter",
         "good" if found else "weak",
-        ", ".join(found) or "not installed: notebooks cannot be looked at here",
+        ", ".join(found) or "not installed: notebooks cannot be opened here",
         "" if found else "pip install jupyterlab",
     )
 
@@ -203,7 +203,7 @@ def _isolation(settings: Settings) -> Finding:
         return Finding(
             "isolation",
             "broken",
-            f"nothing can be run: {error}",
+            f"no notebook can be run: {error}",
             "grade on another machine, or in a container",
         )
     required = 1 if settings.isolation is None else settings.isolation
@@ -226,7 +226,7 @@ def _places(folder: Path | None) -> Iterator[Finding]:
             yield Finding(
                 name,
                 "weak",
-                "there is no home folder, so nothing solved is kept",
+                "there is no home folder, so solutions are not cached",
                 "set XDG_CACHE_HOME to a folder",
             )
             continue
@@ -236,7 +236,7 @@ def _places(folder: Path | None) -> Iterator[Finding]:
         if not os.access(there, os.W_OK):
             needed = name != "cache"
             yield Finding(
-                name, "broken" if needed else "weak", f"{place} cannot be written in", f"chmod u+w {there}"
+                name, "broken" if needed else "weak", f"{place} cannot be written to", f"chmod u+w {there}"
             )
         elif free < LITTLE:
             yield Finding(name, "broken" if free < TOO_LITTLE else "weak", sentence, "make room")
@@ -255,7 +255,7 @@ def _time_zone(settings: Settings) -> Finding:
         "time zone",
         "weak",
         f"the machine's, {own}",
-        f'write timezone = "…" into {FILE}, so that dates are the same everywhere',
+        f'write timezone = "…" into {FILE}, so that dates mean the same on every machine',
     )
 
 
@@ -266,7 +266,7 @@ def _encoding() -> Finding:
     return Finding(
         "encoding",
         "weak" if narrow else "good",
-        words + (": letters that it lacks are written as ?" if narrow else ""),
+        words + ("; characters that it lacks are written as ?" if narrow else ""),
         "set PYTHONUTF8=1, or a locale with UTF-8" if narrow else "",
     )
 

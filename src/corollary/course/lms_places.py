@@ -55,7 +55,7 @@ def places(
             if lms == "moodle"
             else " (Canvas gives a file back for a file only, and what is typed into its text box is none; --to mail or zip reaches all)"
         )
-        where = f"{file} says nothing" if file else "nothing that was collected says anything"
+        where = f"{file} has none" if file else "no collected file has any"
         raise NoPlaces(
             f"{where} of the numbers {lms.capitalize()} has for the students; give {wanted} with --ids{hint}"
         )
@@ -105,7 +105,7 @@ def _names(file: Path) -> Iterable[LmsName]:
             with zipfile.ZipFile(file) as archive:
                 names = archive.namelist()
         except (zipfile.BadZipFile, OSError, ValueError) as error:
-            raise NoPlaces(f"{file} is not an archive that can be opened ({error})") from None
+            raise NoPlaces(f"{file} cannot be opened as a zip archive ({error})") from None
     for name in names:
         parts = [part for part in name.split("/") if part]
         if parts and (found := lms_name(parts)) is not None:

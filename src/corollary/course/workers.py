@@ -93,7 +93,7 @@ def _alone(context: GradingContext, submission: Submission) -> GradedSubmission:
         try:
             return process.submit(_grade, submission).result()
         except ProcessDied:
-            return not_graded(context, submission, "the process that marked it died, twice")
+            return not_graded(context, submission, "the marking process died twice on this submission")
 
 
 def _processes(context: GradingContext, count: int) -> Workers:
@@ -156,7 +156,7 @@ def mark_there(sent: Sent, submission: Submission) -> GradedSubmission:
             speak(sent.context.language)
             if state_of(sent.context.problem_set, sent.context.solutions) != sent.state:
                 raise NoCluster(
-                    "a worker has another version of the program or of the solutions; put the same ones everywhere"
+                    "a worker has another version of corollary or of the solutions; install the same version on all workers"
                 )
             _marking_there[sent.token] = sent.context, sent.context.runner()
             # Whoever sent it may be gone when the worker ends, and the runner has a temporary folder.
@@ -196,12 +196,10 @@ def _done_there(client: Client, sent: Sent, waiting: Iterator[Submission]) -> It
             case "finished", _:
                 yield future.result()
             case _, KilledWorker():
-                yield not_graded(
-                    sent.context, submission, "the workers that marked it died, one after another"
-                )
+                yield not_graded(sent.context, submission, "every worker that marked this submission died")
             case _, None:
                 raise NoCluster(
-                    "the cluster was lost on the way; grade again: what is marked stays, and the rest is done then"
+                    "the connection to the cluster was lost; grade again: finished marks stay, and only the rest is graded"
                 )
             case _, error:
                 raise error

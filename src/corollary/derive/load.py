@@ -223,7 +223,7 @@ def _remedy(error: BaseException) -> str:
     if isinstance(error, TypeError) and any(each in str(error) for each in OF_NUMBERS):
         return "; math and numpy know numbers only: take sqrt, sin, exp, pi and the like from sympy"
     if isinstance(error, TooLong):
-        return "; mend the loop that does not end"
+        return "; correct the loop that does not end"
     if isinstance(error, ModuleNotFoundError):
         return "; put the module beside the solution, or install the package that has it"
     return ""

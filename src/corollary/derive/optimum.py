@@ -111,5 +111,5 @@ def _unreal(what: str, formula: sympy.Expr, point: Point, there: Mapping[sympy.B
             if value.is_real and (value < 0 or (value == 0 and not root)):
                 where = "under a root" if root else "in a logarithm"
                 found = sympy.N(value, 3)
-                return f"{what} has no real value for {numbers}: {inside} {where} is {found}; mend its sign, or narrow the range"
-    return f"{what} has no real value for {numbers}; mend it, or narrow the range"
+                return f"{what} has no real value for {numbers}: {inside} {where} is {found}; correct its sign, or narrow the range"
+    return f"{what} has no real value for {numbers}; correct it, or narrow the range"

@@ -178,7 +178,7 @@ def pick(
         if fits_at and not any(_is(root, other, fits_at) for other in fitting):
             raise NoRoot(
                 f"where={where} holds for {_equations(root)} at some values of the givens and fails at others; "
-                "say which root is meant by one that does not change its mind (a mistake may have a where= of its own)"
+                "use a condition that selects one root for all of them (a mistake may have its own where=)"
             )
         if (formula := _formula(root)) is not None:
             holes = (("root", formula), ("condition", f"${_condition(where)}$"))

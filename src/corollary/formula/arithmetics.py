@@ -106,7 +106,7 @@ def ready(tree: Expr, arithmetic: Arithmetic) -> Evaluation:
                     return lambda at: below(at) ** whole
                 power = arithmetic.power
                 if power is None:
-                    raise NotAvailable(f"{arithmetic.name} has no broken powers")
+                    raise NotAvailable(f"{arithmetic.name} has no fractional powers")
                 above = operand(exponent)
                 return lambda at: power(below(at), above(at))
             case Call(function, arguments):

@@ -70,7 +70,7 @@ def _raised(base: Evaluation, exponent: Expr, made: Callable[[Expr], Evaluation]
 
 def _power(below: arb, above: arb) -> arb:
     if below < 0 and not above.contains_integer():
-        raise Undefined("a negative number to a broken power")
+        raise Undefined("a negative number to a fractional power")
     if not below.is_zero():
         return below**above
     if above < 0:

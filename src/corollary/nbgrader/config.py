@@ -66,7 +66,7 @@ def broken(course: Course, error: BaseException) -> BrokenConfig:
     if isinstance(error, SyntaxError):
         where, why = f"{where}, line {error.lineno}", error.msg
     return BrokenConfig(
-        f"{where}: {type(error).__name__}: {why}; mend the file, or move it away and run corollary generate again"
+        f"{where}: {type(error).__name__}: {why}; correct the file, or move it away and run corollary generate again"
     )
 
 

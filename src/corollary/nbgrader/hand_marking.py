@@ -134,7 +134,7 @@ def _checked(
         meant = [] if student in ids else ids_of(student, roster)
         hint = f" (did you mean {' or '.join(meant)}?)" if meant else did_you_mean(student, ids)
         near = "" if student in ids else hint
-        raise NotMarkable(f"nothing of {student} is graded{near}; grade first, or correct the name")
+        raise NotMarkable(f"no submission of {student} is graded{near}; grade first, or correct the name")
     if part not in record.parts:
         raise NotMarkable(f"{student} was not asked {part}; it is one of {', '.join(record.parts)}")
     most = record.parts[part].out_of

@@ -48,7 +48,7 @@ def _alembic() -> Finding:
             f'activate the environment, or export PATH="{beside}:$PATH"',
         )
     return Finding(
-        "alembic", "broken", "missing, and nbgrader makes no gradebook without it", "pip install alembic"
+        "alembic", "broken", "missing; nbgrader needs it to make a gradebook", "pip install alembic"
     )
 
 
@@ -61,14 +61,14 @@ def _config(course: Course) -> Finding:
             "nbgrader_config.py", "weak", "none in the course yet", "corollary generate SET writes it"
         )
     except BrokenConfig as error:
-        return Finding("nbgrader_config.py", "broken", str(error), "mend the file")
+        return Finding("nbgrader_config.py", "broken", str(error), "correct the file")
     return Finding("nbgrader_config.py", "good", str(path))
 
 
 def _gradebook(course: Course) -> Finding:
     path, name = course.gradebook, "gradebook"
     if not path.exists():
-        return Finding(name, "weak", "there is none yet", "corollary generate SET, or grade, makes it")
+        return Finding(name, "weak", "not made yet", "corollary generate SET, or grade, makes it")
     remedy = "restore it from a backup, or move it away and grade again: all marks are written into a new one"
     try:
         with closing(sqlite3.connect(f"{path.as_uri()}?mode=ro", uri=True, timeout=1)) as book:
@@ -99,17 +99,17 @@ def _exchange(course: Course | None) -> Finding:
         factory = ExchangeFactory(config=found)
         root = getattr(factory.exchange(config=found), "root", "")
     except (NotRegistered, BrokenConfig, TraitError, ImportError) as error:
-        return Finding("exchange", "weak", f"cannot be found out: {error}", "mend nbgrader_config.py")
+        return Finding("exchange", "weak", f"cannot be determined: {error}", "correct nbgrader_config.py")
     if not root:
         return Finding("exchange", "good", f"{factory.exchange.__name__}, which has no folder")
     place, remedy = (
         Path(root),
-        f"mkdir -p {root} && chmod a+rwx {root}; needed only by who gives out work through it",
+        f"mkdir -p {root} && chmod a+rwx {root}; needed only to hand out work through it",
     )
     if not place.is_dir():
         return Finding("exchange", "weak", f"{root} is not there", remedy)
     if not os.access(place, os.W_OK | os.X_OK):
-        return Finding("exchange", "weak", f"{root} cannot be written in by you", remedy)
+        return Finding("exchange", "weak", f"{root} cannot be written to by you", remedy)
     if place.stat().st_mode & 0o007 != 0o007:
         return Finding(
             "exchange", "weak", f"{root} is not open to everybody, so students cannot hand in", remedy

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 # nbgrader declares its tables in the old style, which a type checker takes for columns instead of values.
 
 
-GONE = "This part is not asked any more; marks that it was given stay."
+GONE = "This part was removed; marks given for it stay."
 
 
 def brought_together(

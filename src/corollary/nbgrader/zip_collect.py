@@ -91,7 +91,7 @@ class OwnerCollector(FileNameCollectorPlugin):
         if owner is None and known and (lms is None or directory.admits(lms, says.student)):
             owner = says.student
         if owner is None:
-            self.log.warning("nobody knows whose %s is", submitted_file)
+            self.log.warning("%s does not name its student", submitted_file)
             return None
         # Of equal moments nbgrader takes the last, and files come in the order of their names: a second one says so in its name.
         when = datetime.fromtimestamp(int(path.stat().st_mtime), UTC).replace(

@@ -232,9 +232,7 @@ def locate(bank: Bank, code: str) -> Path:
             raise UnknownCode(f"there is no file {code}")
         if not any(each.problems.resolve() in path.parents for each in bank.each):
             places = ", ".join(str(each.problems) for each in bank.each)
-            raise UnknownCode(
-                f"{code} does not lie in {places}; name its own bank with --bank, or leave --bank out"
-            )
+            raise UnknownCode(f"{code} is not in {places}; name its bank with --bank, or leave --bank out")
         return path
     for path in files(bank):
         if path.stem == code:
@@ -285,7 +283,7 @@ def home_of_file(folder: Path | None, code: str) -> tuple[Bank, Path]:
         above = next((parent for parent in path.parents if parent.name == "problems"), None)
         if path.is_file() and above is None:
             raise UnknownCode(
-                f"{code} lies in no bank: a problem's file lies somewhere below a folder problems/, its solution below solutions/"
+                f"{code} is in no bank: problems are below a folder problems/, solutions below solutions/"
             )
         if above is not None:
             return Bank(above.parent), locate(Bank(above.parent), str(path))
@@ -309,5 +307,5 @@ def bank_around(name: str) -> Bank | None:
 def _bank_above(path: Path) -> Bank:
     above = [parent.parent for parent in path.parents if parent.name == "problems"]
     if not above:
-        raise UnknownCode(f"{path} lies in no bank: it is not below a folder problems/")
+        raise UnknownCode(f"{path} is in no bank: it is not below a folder problems/")
     return Bank(next((folder for folder in above if (folder / "solutions").is_dir()), above[0]))

@@ -60,7 +60,7 @@ def read_table(path: Path, headings: Collection[str] = ()) -> Table:
         why = "is a folder; name the CSV file itself" if folder else f"cannot be read: {error.strerror}"
         raise _refused(path.resolve() if folder else path, why) from None
     if len(content) > MOST_BYTES:
-        raise _refused(path, f"has more than {MOST_BYTES >> 20} MB; this is not a table of people")
+        raise _refused(path, f"has more than {MOST_BYTES >> 20} MB, too much for a roster")
     for mark, kind in NO_TABLES.items():
         if content.startswith(mark):
             raise _refused(path, f"is {kind}; save it as CSV, in UTF-8, and give that file")
@@ -100,11 +100,9 @@ def _decoded(path: Path, content: bytes) -> tuple[str, str]:
             continue
         if "\x00" in text:
             line = text[: text.index("\x00")].count("\n") + 1
-            raise _refused(path, "holds a zero byte: it is not a text; save it as CSV in UTF-8", line)
+            raise _refused(path, "holds a zero byte, so it is not text; save it as CSV in UTF-8", line)
         return text, encoding
-    raise _refused(
-        path, "is in no encoding that is known (UTF-8, UTF-16, Windows-1252); save it as CSV in UTF-8"
-    )
+    raise _refused(path, "is in an unknown encoding (UTF-8, UTF-16, Windows-1252); save it as CSV in UTF-8")
 
 
 def _delimiter(text: str, headings: Collection[str]) -> str:

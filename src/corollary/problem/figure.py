@@ -177,7 +177,7 @@ class _Reading:
                 texts.append(found["text"])
             elif found["word"]:
                 if found["word"] in words:
-                    raise ValueError(f"{found['word']}= stands twice; keep one")
+                    raise ValueError(f"{found['word']}= is given twice; keep one")
                 words[found["word"]] = found["value"]
             else:
                 bare.append(found["bare"])

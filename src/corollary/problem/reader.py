@@ -97,7 +97,7 @@ def read_problem(path: Path) -> Problem:
     for text, at in ((title, title_line), *((part.title, part.line) for part in parts)):
         if holes(text):
             complaints.append(
-                Diagnostic(path, at, f"the title {text!r} has a hole; numbers stand in the text below it")
+                Diagnostic(path, at, f"the title {text!r} has a hole; use holes in the text below it only")
             )
         if count(text):
             complaints.append(Diagnostic(path, at, "a picture stands in the text below a title, not in it"))

@@ -208,7 +208,7 @@ def _columns(table: Table, id_column: str) -> tuple[Columns, list[tuple[int, tup
     rows, notes = list(table.rows), list[str]()
     if table.encoding == "cp1252" and rows:
         notes.append(
-            f"{table.path.name} is not in UTF-8 and was read as Windows-1252; see that names are spelt right"
+            f"{table.path.name} is not in UTF-8 and was read as Windows-1252; check that names are spelt correctly"
         )
     named = is_header(table.first) or (id_column and id_column.lower() in map(str.lower, table.first))
     columns = columns_of(table.first) if named or not rows else guessed([row for _, row in rows])
@@ -223,7 +223,7 @@ def _columns(table: Table, id_column: str) -> tuple[Columns, list[tuple[int, tup
     elif rows:
         for line, row in rows[:20]:
             if is_surely_header(row):
-                raise _refused(table.path, "has the names of its columns here; delete the lines above", line)
+                raise _refused(table.path, "has its column names here; delete the lines above", line)
         notes.append(f"{table.path.name} has no line with names of columns; {_described(columns)}")
     if id_column:
         columns = _with_ids(table, columns, id_column, seen)
@@ -244,7 +244,7 @@ def _notes(columns: Columns, at: int, students: Sequence[Student]) -> Iterator[s
     renamed = [(dict(each.ids)[heading], each.id) for each in students if (heading, each.id) not in each.ids]
     if renamed:
         names = few([f"{given} is {name}" for given, name in renamed])
-        yield f"an id that cannot name a folder on every computer gets a name that can: {names}"
+        yield f"these ids cannot name folders on every computer, so their folders are called: {names}"
 
 
 def _with_ids(table: Table, columns: Columns, id_column: str, seen: str) -> Columns:
@@ -341,9 +341,9 @@ def _trouble(
     if not given:
         return f"id {given!r}: the cell in {column} is blank; every student needs an id"
     if not given.isprintable():
-        return f"id {given!r} will not do: it holds a character that cannot be seen; write it anew"
+        return f"id {given!r} holds an invisible character; type it again"
     if given.startswith((".", "/", "\\")) or ".." in given:
-        return f"id {given!r} will not do as a folder's name; use letters, digits, _ . @ -"
+        return f"id {given!r} cannot name a folder; use letters, digits, _ . @ -"
     if ROUNDED.match(given):
         return f"id {given} was rounded by a spreadsheet; make {column} a column of text there, and save it again"
     if student.id in found:

@@ -229,7 +229,7 @@ def sheets(course: Course, problem_set: ProblemSet, record: Assigned) -> dict[st
     """Everybody's sheet, from the record. Raises NotSettled."""
     for renames in pending(course, problem_set, record):
         raise NotSettled(
-            f"{renames[0].sentence}; corollary generate {problem_set.name} asks whether it is, and nobody is marked before"
+            f"{renames[0].sentence}; run corollary generate {problem_set.name} and answer its question before grading"
         )
     problems = [_problem(course, problem_set, edition) for edition in record.editions]
     removed = [
@@ -273,7 +273,9 @@ def variant_anywhere(course: Course, problem: Problem, student: str) -> Variant 
             edition = record.edition(numbers)
             if edition.code_now == problem.code:
                 for rename in proposed(edition, [problem], (), words_of(course, edition)):
-                    raise NotSettled(f"{rename.sentence}; corollary generate {name} asks whether it is")
+                    raise NotSettled(
+                        f"{rename.sentence}; run corollary generate {name} and answer its question"
+                    )
                 found = _variant(as_handed_out(problem, edition, words_of(course, edition)), edition, numbers)
     return found
 
@@ -358,16 +360,16 @@ def date_corrections(problem_set: ProblemSet, record: Assigned) -> Iterator[tupl
     for student in sorted(otherwise_dated(problem_set, record)):
         date = record.dates[student]
         if date is None:
-            sentence = f"{today}, and their sheet prints no date: the new one holds"
+            sentence = f"{today}, and these sheets print no date: the new date counts"
         elif due is None:
-            sentence = f"{today}, and their sheet prints {written(date.when)}: nobody is late any more"
+            sentence = f"{today}, and these sheets print {written(date.when)}: nobody is late any more"
         elif due.timestamp() < date.when.timestamp():
             sentence = (
-                f"{today}, and their sheet prints {written(date.when)}: they have until then, "
-                "as long as they are not given a new sheet (--renew)"
+                f"{today}, and these sheets print {written(date.when)}, which counts "
+                "until they are replaced (--renew)"
             )
         else:
-            sentence = f"{today}, and their sheet prints {written(date.when)}: they have the longer time"
+            sentence = f"{today}, and these sheets print {written(date.when)}: the later date counts"
         whose.setdefault(sentence, []).append(student)
     for sentence, students in whose.items():
         yield sentence, tuple(students)

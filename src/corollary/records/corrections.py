@@ -40,7 +40,7 @@ def corrections(
         today = next((each for each in problem_set.problems if each.code == edition.code_now), None)
         if today is None:
             sentence = (
-                "is no longer in the set: marks given for it stay, and what was not marked is not counted"
+                "is no longer in the set: marks given for it stay, and unmarked answers are not counted"
             )
             found.append(Correction(edition.code, sentence, students))
             continue
@@ -52,15 +52,15 @@ def corrections(
 
 def _sentences(course: Course, edition: Edition, today: Problem) -> Iterator[str]:
     if edition.renamed.code and edition.code_now != edition.code:
-        yield f"is called {edition.code_now} now: they know it by the code they were given"
+        yield f"is called {edition.code_now} now: these sheets keep the old code"
     if edition.statement != fingerprint(today):
         old = words_of(course, edition)
         yield from _givens(edition, today, old)
         yield from _parts(edition, today, old)
         if old is not None and (old.statement, old.figure) != (today.statement, today.figure):
-            yield "has other words or another figure: they are marked by, and shown, those they were given"
+            yield "has a changed text or figure: these students keep the text and figure they were given"
     if edition.derivation != derivation_of(today):
-        yield "has a corrected solution: marks follow it"
+        yield "has a corrected solution: marks follow the correction"
 
 
 def _givens(edition: Edition, today: Problem, old: Problem | None) -> Iterator[str]:
@@ -70,23 +70,19 @@ def _givens(edition: Edition, today: Problem, old: Problem | None) -> Iterator[s
     for now, symbol in before.items():
         given = have.get(now)
         if given is None:
-            yield f"the given {symbol} is gone: it stays recorded, and is not used"
+            yield f"the given {symbol} was removed: it stays recorded, and is not used"
             continue
         if now != symbol:
-            yield f"the given {symbol} is called {now} now: they have the numbers of {symbol}"
+            yield f"the given {symbol} is called {now} now: it keeps the numbers of {symbol}"
         if canonical(given.unit) != edition.units[symbol]:
             same = unit(edition.units[symbol]).dimension == given.unit.dimension
-            holds = (
-                "as they were handed out"
-                if same
-                else "and are taken in the new unit, which measures something else"
-            )
-            yield f"the given {symbol} is in {show(given.unit) or 'no unit'} now, and was in {edition.units[symbol]}: their numbers hold {holds}"
+            holds = "as they are" if same else "but are read in the new unit, which has another dimension"
+            yield f"the given {symbol} is in {show(given.unit) or 'no unit'} now, and was in {edition.units[symbol]}: the numbers handed out stay {holds}"
         elif symbol in grids and grids[symbol] != given.grid:
-            yield f"the given {symbol} is drawn from other values now: their numbers hold"
+            yield f"the given {symbol} is drawn from other values now: the numbers handed out stay valid"
     for symbol in have:
         if symbol not in before:
-            yield f"the given {symbol} is new: they have its printed value"
+            yield f"the given {symbol} is new: these students have its printed value"
 
 
 def _parts(edition: Edition, today: Problem, old: Problem | None) -> Iterator[str]:
@@ -96,22 +92,22 @@ def _parts(edition: Edition, today: Problem, old: Problem | None) -> Iterator[st
     for now, asked in before.items():
         part = have.get(now)
         if part is None:
-            yield f"part {asked.id} is gone: marks given for it stay, and where it was not marked it is not counted"
+            yield f"part {asked.id} was removed: marks given for it stay, and unmarked answers are not counted"
             continue
         if now != asked.id:
-            yield f"part {asked.id} is called {now} now: they know it as {asked.id}"
+            yield f"part {asked.id} is called {now} now: these sheets call it {asked.id}"
         if part.points != asked.points:
-            yield f"part {asked.id} is worth {part.points:g} now, and was worth {asked.points:g}: marks follow it"
+            yield f"part {asked.id} is worth {part.points:g} now, and was worth {asked.points:g}: marks follow the change"
         if part.answer_types != asked.types:
-            yield f"part {asked.id} asks for {' and '.join(part.answer_types)} now, and asked for {' and '.join(asked.types)}: marks follow it"
+            yield f"part {asked.id} asks for {' and '.join(part.answer_types)} now, and asked for {' and '.join(asked.types)}: marks follow the change"
         if part.units_text != asked.unit:
             units = ", ".join(map(show, part.column_units)) or show(part.unit) or "no unit"
-            yield f"part {asked.id} is asked in {units} now: a bare number of theirs is read in {asked.unit}"
+            yield f"part {asked.id} is asked in {units} now: a number without a unit is read in {asked.unit}"
         if options.get(asked.id, part.options) != part.options:
-            yield f"part {asked.id} has other options now: a letter means the option on their sheet"
+            yield f"part {asked.id} has other options now: a letter means the option on the student's own sheet"
     for part in today.parts:
         if part.id not in before:
-            yield f"part {part.id} is new: they were not asked it, and it is not held against them"
+            yield f"part {part.id} is new: it does not count for these students, who were not asked it"
 
 
 def _broken(
@@ -125,5 +121,5 @@ def _broken(
         if condition is not None:
             broken.setdefault(condition.text, []).append(student)
     for text, whose in broken.items():
-        sentence = f"has numbers that break {text}: they were handed out, and hold all the same"
+        sentence = f"has numbers that violate {text}: they were handed out, so they stay valid"
         yield Correction(edition.code, sentence, tuple(whose))

@@ -140,7 +140,7 @@ def find_student(course: Course, name: str) -> Student:
         )
     hint = did_you_mean(name, (each.id for each in everybody))
     raise UnknownStudent(
-        f"{name} is not on the roster of {course.folder}{hint}; generate with a roster that has them"
+        f"{name} is not on the roster of {course.folder}{hint}; run corollary generate with a roster that includes them"
     )
 
 
@@ -181,7 +181,7 @@ def one_writer(course: Course) -> Generator[None]:
     descriptor = _locked(course.folder / ".corollary")
     if descriptor is None:
         raise BeingGraded(
-            f"another run is at work in {course.folder}; wait until it is done, then run this again"
+            f"another corollary command is running in {course.folder}; wait until it has ended, then run this again"
         )
     try:
         yield

@@ -105,7 +105,7 @@ def fill_in(path: Path, table: MarksTable, headings: Sequence[str] = ()) -> Fill
         *_on_people(rows, people),
         *_on_scale(rows, first, places, notation),
         *_on_excused(rows, first, places, people),
-        *(f"{column}: a mark stands in the file and there is none here, so it is left as it is: {few(who)}"
+        *(f"{column}: the file has a mark and the course has none, so it is unchanged: {few(who)}"
           for column, who in overlooked.items()),
     ]  # fmt: skip
     return FilledIn(
@@ -132,7 +132,7 @@ def _texts(
             there = cells.rows[row][at].text if at < len(cells.rows[row]) else None
             if there is None:
                 raise _refused(
-                    cells.path, f"the row of {student.name} is shorter than the first one; export it anew"
+                    cells.path, f"the row of {student.name} has too few cells; export the file again"
                 )
             is_mark = MARK.match(there) is not None
             if student.id in column.marks or (student.id in column.excused and is_mark):
@@ -186,10 +186,10 @@ def _on_people(rows: Sequence[tuple[int, Sequence[str]]], people: RowOwners) -> 
     called = {row: _called(values) for row, values in rows}
     if people.unclear:
         who = [called[row] for row in people.unclear]
-        yield f"ids contradict each other; nothing is written for {few(who)}"
+        yield f"the ids name different students, so nothing is written for: {few(who)}"
     if people.by_name:
         who = [called[row] for row in people.by_name]
-        yield f"no id is known, and the name alone says who it is: {few(who)}"
+        yield f"matched by name alone, since no id is known: {few(who)}"
 
 
 def _on_scale(

@@ -98,7 +98,7 @@ def _check_is_there(course: Course, set_name: str, bank: Bank, file: str | None)
         )
     if file is None and file_of_set(bank, set_name) is None:
         raise UnknownCode(
-            f"{course.folder} does not say in which file {set_name} is, and the bank {bank.place} has no set of that name; "
+            f"{course.folder} has no record of the file of {set_name}, and the bank {bank.place} has no set of that name; "
             f"{_generate_again(set_name)}"
         )
 

@@ -151,11 +151,11 @@ def why(old: Record, depends: Mapping[str, str]) -> str:
     """A few words on why marks are others than before."""
     names = changed(old, depends)
     if not names:
-        return "nothing was changed; the notebook ran otherwise than before"
+        return "nothing was changed, but the notebook gave other results in this run"
     about: dict[str, str] = {}
     if TIME in names:
         now, before = (each[TIME].replace("+00:00", " UTC") for each in (depends, old.depends))
-        about[TIME] = f"{TIME} ({now}, and {before} when it was marked)"
+        about[TIME] = f"{TIME} ({now}; when it was marked: {before})"
     return f"changed: {', '.join(about.get(name, name) for name in names)}"
 
 

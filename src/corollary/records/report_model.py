@@ -167,7 +167,7 @@ def report_of(
     for student, what in failed.items():
         if student in marked:  # of one answer, which waits for a person
             continue
-        unusable[student] = f"this program failed over it, and a person has to look ({visible(what)})"
+        unusable[student] = f"corollary failed on this file, so mark it by hand ({visible(what)})"
     there, arrivals = submissions(course, name), read_arrivals(course, name)
     for each in arrivals:  # what was collected and could not be put where it is marked
         if each.outcome == UNUSABLE and each.student in known and each.student not in there:
@@ -196,7 +196,7 @@ def _with_date(course: Course, name: str, one: HandedIn, deadlines: Deadlines) -
     when = handed_in(course, name, one.student)
     if given is None or own is None or own == given or when is None or when.timestamp() <= given.timestamp():
         return one
-    sentence = f"came after {written(given)}, and the sheet prints {written(own)}: that date counts"
+    sentence = f"handed in after {written(given)}, but the sheet prints {written(own)}, which counts"
     return msgspec.structs.replace(one, notes=(*one.notes, sentence))
 
 

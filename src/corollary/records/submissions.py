@@ -321,9 +321,7 @@ def why_unclear(set_name: str, names: Sequence[str]) -> str:
     listed = visible(", ".join(names))
     if names[0].endswith(".ipynb"):
         return f"{len(names)} notebooks, none called {set_name}.ipynb ({listed}); rename the one that counts"
-    what = (
-        "no notebook but a file that cannot be marked" if len(names) == 1 else "no notebook among the files"
-    )
+    what = "a file that is not a notebook" if len(names) == 1 else "no notebook among the files"
     return f"{what} ({listed}); ask for {set_name}.ipynb"
 
 

@@ -32,7 +32,7 @@ from corollary.units.unit import ONE, Unit, show
 NOT_ASKED = {
     "table": "the answer is a table, of which every entry earns its share, and is numbers in units of their own",
     "expression": "the answer is a formula; --to moodle-stack sends it to a Moodle that has STACK",
-    "example": "the answer is an example of the student's own, which has to be tried in the laws",
+    "example": "the answer is an example of the student, which has to be inserted into the laws",
     "proof": "the answer is a derivation, line by line",
     "code": "the answer is a program, which has to be run",
     "plot": "the answer is a figure, which has to be drawn by a program",

@@ -65,7 +65,7 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
         yield from _more(len(waiting))
     if report.near_misses:
         yield _table(
-            "Near misses of reading (nothing was given; accept a group with corollary mark SET --accept ID)",
+            "Near misses of reading (no points yet; accept a group with corollary mark SET --accept ID)",
             ("id", "part", "kind", "typed", "would be right as", "students"),
             (
                 (
@@ -85,17 +85,17 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
             "Something went wrong", ("student", "why"), ((one.student, one.trouble) for one in report.failed)
         )
     if report.unusable:
-        yield _table("Handed in, and cannot be used", ("student", "what"), iter(report.unusable))
+        yield _table("Handed in, but cannot be marked", ("student", "what"), iter(report.unusable))
     if report.nobodys:
-        yield _table("Collected, and nobody knows whose", ("file", "what"), iter(report.nobodys))
+        yield _table("Collected, owner unknown", ("file", "what"), iter(report.nobodys))
     if report.noticed:
         yield _table(
-            "Noticed (nothing was taken off for it)",
+            "Noticed (no points were deducted)",
             ("student", "what"),
             ((one.student, note) for one in report.noticed for note in one.notes),
         )
     if report.shared:
-        title = "Wrong here, right for somebody else's numbers (proves nothing by itself)"
+        title = "Wrong, but right for another student's numbers (proves nothing by itself)"
         yield _table(
             title,
             ("student", "fits", "parts", "by chance"),
@@ -108,7 +108,7 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
     if report.coincidences:
         yield Text(f"\n{coincidences(report)}")
     if missing := tuple(one for one in report.missing if one not in unmarked):
-        yield Text(f"\nNothing from {len(missing)}: {_some(missing, 12)}")
+        yield Text(f"\nNot handed in by {len(missing)}: {_some(missing, 12)}")
     if report.excused:
         yield Text(f"\nExcused: {_some(report.excused, 12)}")
     for line, count in report.isolation.items():
@@ -135,7 +135,7 @@ def _headline(report: Report) -> str:
         )
     return (
         f"{len(report.handed_in)} handed in, {report.late_count} of them late; {marks}; "
-        f"{_waiting(len(report.waiting))} for a person"
+        f"{_waiting(len(report.waiting))} for marking"
     )
 
 
@@ -150,7 +150,7 @@ def coincidences(report: Report) -> str:
     count = report.coincidences
     times = "once" if count == 1 else f"{count} times"
     opening = f"Besides, {times}" if report.shared else times.capitalize()
-    return f"{opening} a wrong answer fits somebody else's numbers, which chance explains."
+    return f"{opening} a wrong answer fits another student's numbers, which chance explains."
 
 
 def _waiting(count: int) -> str:

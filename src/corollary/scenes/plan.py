@@ -399,7 +399,7 @@ def _within_range(scene: Scene) -> Generator[None]:
         if not any(force.may_be_brief for force in scene.forces):  # a fault of this package's own
             raise
         raise GuardFailed(
-            f"{scene.name}: a function of your own fails on the way ({type(error).__name__}: {error}); mend it."
+            f"{scene.name}: a function of your own fails during the run ({type(error).__name__}: {error}); correct it."
         ) from error
 
 

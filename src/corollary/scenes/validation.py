@@ -301,7 +301,7 @@ def refuse_own(scene: Parts, force: Any, start: Sequence[float]) -> None:
         raise BadSetting(str(error)) from error.__cause__  # what the function itself raised, if it did
     except OWN_FAILS as error:
         raise BadSetting(
-            f"{whose} fails at the start ({type(error).__name__}: {error}); mend it, or start elsewhere."
+            f"{whose} fails at the start ({type(error).__name__}: {error}); correct it, or change the initial state."
         ) from error
     if not finite(stored):
         raise BadSetting(
@@ -311,7 +311,7 @@ def refuse_own(scene: Parts, force: Any, start: Sequence[float]) -> None:
 
 def failing(whose: str, time: float, error: Exception) -> str:
     """The sentence about a function of somebody's own that raised something on the way."""
-    return f"{whose} fails at {time:.6g} s ({type(error).__name__}: {error}); mend it, or watch for a shorter time."
+    return f"{whose} fails at {time:.6g} s ({type(error).__name__}: {error}); correct it, or end the run earlier (until=…)."
 
 
 def _refuse_burnt(scene: Parts) -> None:
@@ -354,7 +354,7 @@ def refuse_unsupported(scene: Parts, start: Sequence[float]) -> None:
             if isinstance(error, BadSetting):
                 raise
             raise BadSetting(
-                f"{scene.name}: {type(force).__name__} fails at the start ({type(error).__name__}: {error}); mend it."
+                f"{scene.name}: {type(force).__name__} fails at the start ({type(error).__name__}: {error}); correct it."
             ) from error
         held += own
     for group in _tied(scene, held):

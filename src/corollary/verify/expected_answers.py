@@ -62,7 +62,7 @@ def check_claims(key: Key, tally: Tally) -> None:
         if not tally.check(bool(sufficient(grounds)), "claims shown"):
             tally.complain(
                 f"{key.variant.problem.path.name}:{part.line}: part {part.id}: the laws of the proof are not found to imply "
-                f"{text(expected.claim.target)}: every derivation would wait for a person; name the law that is missing"
+                f"{text(expected.claim.target)}: every derivation would wait for marking; name the law that is missing"
             )
         for law in changing(expected.claim, expected.question):
             tally.complain(

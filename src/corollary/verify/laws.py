@@ -44,7 +44,7 @@ def check_cases(bank: Bank, solution: Solution, tally: Tally) -> None:
             which = " and ".join(repr(each.text) for each in found) or "no case"
             numbers = ", ".join(f"{name} = {value}" for name, value in written_apart(variant).items())
             tally.complain(
-                f"{path}:{line}: {which} holds for {variant.label} ({numbers}); mend the conditions, so that exactly one does"
+                f"{path}:{line}: {which} holds for {variant.label} ({numbers}); correct the conditions, so that exactly one case holds"
             )
             return
 

@@ -59,7 +59,7 @@ def _reason(solution: Solution, own: ListedMistake, in_parts: list[ListedMistake
     how = "for all numbers, by algebra" if proven else f"for {tried}"
     return False, (
         f"changes {names}, and leaves {asked} as {'they are' if every else 'it is'} {how}: "
-        "nobody is told of it, and no numbers are drawn again for it"
+        "no student is told of it, and no numbers are redrawn for it"
     )
 
 
@@ -103,7 +103,7 @@ def remark(bank: Bank, solution: Solution, key: Key, tally: Tally) -> None:
     file, path = solution.problem.path.name, bank.solution(solution.problem).name
     for picture in unused(solution.problem.path):
         tally.note(
-            f"{file}:1: {picture.name} lies beside it, and no problem shows it: show it, or take it away"
+            f"{file}:1: {picture.name} is in its folder, and no problem shows it: show it, or delete it"
         )
     for line, sentence in (*_outside(solution.problem), *_unused(solution)):
         tally.note(f"{file}:{line}: {sentence}")
@@ -119,7 +119,7 @@ def _outside(problem: Problem) -> Iterator[tuple[int, str]]:
             value, low, high = numbers
             yield (
                 given.line,
-                f"value: {value} of {given.symbol} lies outside from: {low} to: {high}; nobody gets it",
+                f"value: {value} of {given.symbol} is outside from: {low} to: {high}; no student gets it",
             )
 
 
@@ -153,7 +153,7 @@ def _unknown_letters(solution: Solution) -> Iterator[tuple[int, str]]:
     for line, letter in dict.fromkeys(found for each in every for found in unexplained(each)):
         yield (
             line,
-            f'nothing says what {letter} stands for; say it where it is named, unknowns({letter}="…")',
+            f'{letter} has no meaning; give one where it is named, unknowns({letter}="…")',
         )
 
 

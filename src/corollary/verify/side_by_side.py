@@ -72,7 +72,7 @@ def _alone(place: int, todo: Todo, count: int) -> Checked:
             return process.submit(_there, place).result()
         except ProcessDied:
             bank, problem = todo[place]
-            sentence = "ends the process that verifies it, as os._exit or too much memory do"
+            sentence = "ends the verifying process, as os._exit or too much memory does"
             return not_verified(problem, f"{bank.solution(problem).name}:1: {sentence}")
 
 
@@ -193,7 +193,7 @@ def verify_there(bank: Bank, problem: Problem, count: int, state: str, language:
         speak(language)
         if _state(bank, problem, count) != state:
             raise NoCluster(
-                f"a worker has another version of {problem.code} or of the program; put the same ones everywhere"
+                f"a worker has another version of {problem.code} or of corollary; install the same version on all workers"
             )
         with unstarted() as runner:
             return verify(bank, problem, count, runner)
@@ -223,5 +223,5 @@ def _in_order_there(client: Any, todo: Todo, count: int) -> Iterator[Checked]:
             ) from None
         except CancelledError:
             raise NoCluster(
-                "the cluster was lost on the way; verify again: what held is not verified a second time"
+                "the connection to the cluster was lost; verify again: what held is not verified a second time"
             ) from None

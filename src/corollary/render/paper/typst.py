@@ -306,7 +306,7 @@ def pdf(sheets: Sequence[str], title: str, *, large: bool = False) -> bytes:
             refused = error
             if NO_LETTER not in error.message:
                 break
-    why = f"no font of this machine has what is to be set ({refused.message}); install one that has it"
+    why = f"no font on this machine has a character of the text ({refused.message}); install one that has it"
     why = why if NO_LETTER in refused.message else refused.message
     raise CannotTypeset(f"{title} cannot be set on paper: {why}") from refused
 

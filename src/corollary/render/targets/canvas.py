@@ -203,7 +203,9 @@ LOST = (
     "units that are typed: a field takes a number",
 )
 """What no question carries."""
-POOLED = "each part is a question with a pool of its own: a student gets other numbers in each"
+POOLED = (
+    "each part is a separate question with its own pool, so its numbers differ from those of the other parts"
+)
 
 
 def write_items(name: str, items: Sequence[LmsItem], apart: bool) -> ItemFiles:

@@ -59,16 +59,16 @@ def _notes(
         )
     if excused:
         yield (
-            f"excused, so blank, and the import takes away what Canvas has of them, EX too: {few(excused)}; "
+            f"excused, so blank; the import then deletes the marks that Canvas has of them, also EX: {few(excused)}; "
             "--template with the gradebook that Canvas exports leaves EX as it is"
         )
     if by_name:
         yield (
-            f"no id of Canvas's is on the roster, so it goes by the name alone: {few(by_name)}; "
-            "--template with the gradebook that Canvas exports is surer"
+            f"no id of Canvas's is on the roster, so students are matched by name alone: {few(by_name)}; "
+            "safer: --template with the gradebook that Canvas exports"
         )
     if namesakes:
-        yield "Canvas cannot tell people of one name apart without an id: give the gradebook that it exports with --template"
+        yield "Canvas cannot tell students of the same name apart without an id: give the gradebook that it exports with --template"
 
 
 def _sortable(student: Student) -> str:

@@ -181,7 +181,7 @@ GRADES = (
     5,
     0,
 )
-NO_ROOM = "an option is a picture, for which a field has no room; --apart sends it as a question of its own"
+NO_ROOM = "an option is a picture, which a field cannot show; --apart sends it as a separate question"
 PLACE = "@@PLUGINFILE@@/"  # of the files that come with a text
 WRONG_UNIT = 0.5  # what a slip costs
 LOST = (

@@ -92,13 +92,13 @@ def _notes(
     named = " or ".join(each.heading for each in used)
     yield f'each row has {named}; choose {"it" if len(used) == 1 else "one of them"} under "Map from" in Moodle'
     if absent:
-        yield f"no id is everybody's; without {used[0].heading} on the roster: {few([each.id for each in absent])}"
+        yield f"no id column covers every student; without {used[0].heading} on the roster: {few([each.id for each in absent])}"
         return
     for each in columns:
         if each not in used and each.values and each.heading != OURS:
             without = [student.id for student in students if student.id not in each.values]
             if without:
-                yield f"{each.heading} is left out, for not everybody has one of their own: {few(without)}"
+                yield f"{each.heading} is left out, since these students have none or share one: {few(without)}"
 
 
 def _id_columns(students: Sequence[Student]) -> list[IdColumn]:

@@ -111,7 +111,7 @@ def refuse_failing(scene: Scene, time: float, state: State) -> None:
                 raise GuardFailed(failing(f"{scene.name}: {type(force).__name__}", when, error)) from error
             if any(map(math.isnan, given)):
                 raise GuardFailed(
-                    f"{scene.name}: {type(force).__name__} gives nan at {when:.6g} s, which is not a number; mend it, or watch for a shorter time."
+                    f"{scene.name}: {type(force).__name__} gives nan at {when:.6g} s, which is not a number; correct it, or end the run earlier (until=…)."
                 )
 
 

@@ -89,7 +89,7 @@ HALF_ANGLE = (
 )  # the largest denominator of the tangent of half an angle, whose sine and cosine are rational then
 PI = Fraction(314159265358979, 10**14)
 PI_IN_COQ = re.compile(r"(?<![\w'])PI\b")  # not a letter of the problem, which has a mark before it
-EMPTY = "no numbers were found that keep the conditions and have answers: the claims may speak of nothing"
+EMPTY = "no numbers were found that keep the conditions and have answers: the claims may be empty"
 TACTIC = "first [ lra | field; lra | nra ]"
 
 
@@ -265,7 +265,7 @@ class StepInCoq:
         every = [coq(each) for each in (*self.roots.known, *self.laws, *self.where, *self._divided_by())]
         goals = [*self.bounds, *self.conditions, *every]
         if any(PI_IN_COQ.search(each) for each in goals):
-            raise NotAlgebraic("pi stands in what is taken for granted")
+            raise NotAlgebraic("an assumption contains pi")
         body = " /\\\n    ".join(goals)
         binder = f"exists {' '.join(map(coq_name, letters))} : R,\n    " if letters else ""
         chosen = f"  exists {', '.join(number(found[each]) for each in letters)}.\n" if letters else ""
