@@ -114,7 +114,7 @@ def test_what_cannot_be_exported_is_answered_in_a_sentence(run, arguments: list[
 def test_one_problem_is_no_set(run) -> None:
     status, _out, err = run("X12.5", "--to", "pdf")
     assert status == 2
-    assert "`corollary show X12.5` writes it" in err
+    assert "corollary show X12.5 --format FORMAT writes a single problem" in err
 
 
 def test_help_lists_what_is_registered(installed):

@@ -94,7 +94,7 @@ def test_a_path_outside_the_bank(bank, tmp_path):
     alone.write_text("---\n" + FRONT.format(code="X9.9") + "\n---\n## M {#a .value}\n", encoding="utf-8")
     with pytest.raises(UnknownCode, match="is not in"):
         find(bank, str(alone))
-    with pytest.raises(UnknownCode, match="lies in no bank"):
+    with pytest.raises(UnknownCode, match="is in no bank"):
         home(None, str(alone))
 
 

@@ -20,11 +20,11 @@ def said(report: Report, *unmarked: str) -> str:
 def test_what_is_handed_in_and_not_marked_is_not_called_missing():
     nobody = Report((), (), (), (), (), missing=("ada", "ben"))
     assert "Nothing was handed in yet." in said(nobody)
-    assert "Nothing from 2: ada, ben" in said(nobody)
+    assert "Not handed in by 2: ada, ben" in said(nobody)
     tried = said(nobody, "ada")
     assert "1 handed in what is not on record yet" in tried
     assert "Nothing was handed in" not in tried
-    assert "Nothing from 1: ben" in tried
+    assert "Not handed in by 1: ben" in tried
 
 
 def test_marks_on_record_are_told_apart_from_those_to_come():
@@ -32,7 +32,7 @@ def test_marks_on_record_are_told_apart_from_those_to_come():
     tried = said(report, "ada")
     assert "1 handed in what is not on record yet" in tried
     assert "1 handed in, 0 of them late; mean 3" in tried
-    assert "Nothing from" not in tried
+    assert "Not handed in by" not in tried
 
 
 def handed(**marks: tuple[float, float]) -> Report:

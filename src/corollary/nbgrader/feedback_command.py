@@ -44,7 +44,7 @@ def _page(course: Course, name: str, student: str) -> str:
     page = page_now(course, name, student, manual)
     if page is None:
         raise NbGraderException(
-            f"what the page of {student} in {name} is made of is lost or damaged; "
-            f"run corollary grade {name} once, then generate feedback"
+            f"the record behind the feedback page of {student} in {name} is lost or damaged; "
+            f"run corollary grade {name}, then generate feedback again"
         )
     return page

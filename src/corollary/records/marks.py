@@ -321,7 +321,7 @@ def check_graded(course: Course, set_name: str) -> None:
     """Raises NothingGraded unless the set was graded, though nobody may have handed in: the report says that."""
     if not report_place(course, set_name).exists() and set_name not in graded_sets(course):
         raise NothingGraded(
-            f"nothing of {set_name} is graded in {course.folder}; "
+            f"no submission of {set_name} is graded in {course.folder}; "
             f"run corollary grade {set_name} --course {course.folder} first"
         )
 
