@@ -213,7 +213,7 @@ def test_two_sets_are_two_columns(folder: Path) -> None:
     course = folder / "course"
     assert (done.status, done.errors.splitlines()[-1]) == (
         2,
-        f"corollary: nothing of week_2 is graded in {course}; run corollary grade week_2 --course {course} first",
+        f"corollary: no submission of week_2 is graded in {course}; run corollary grade week_2 --course {course} first",
     )
     shutil.copytree(course / ".corollary/graded/week_1", course / ".corollary/graded/week_2")
     done = export(folder, "--to", "moodle-grades", sets=("week_1", "week_2.md"))

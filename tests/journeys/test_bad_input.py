@@ -423,7 +423,7 @@ def test_a_set_never_generated(run, bank, course):
     )
     refused(
         run("report", "week_2", "--course", course, "--bank", bank, "--json"),
-        "nothing of week_2 is graded",
+        "no submission of week_2 is graded",
         "corollary grade week_2",
     )
     assert picture(course) == before
@@ -432,7 +432,7 @@ def test_a_set_never_generated(run, bank, course):
 def test_nothing_to_report_yet(run, bank, course):
     refused(
         run("report", "week_1", "--course", course, "--bank", bank),
-        "nothing of week_1 is graded",
+        "no submission of week_1 is graded",
         "corollary grade week_1",
     )
 

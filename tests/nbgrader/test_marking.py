@@ -73,7 +73,7 @@ def test_a_table_comes_as_spreadsheets_save_it(marked_course: Course, tmp_path: 
     for row, sentence in (
         ("ada,X12.11c,7", "marks.csv:3: X12_11_c earns from 0 to 2 points, not 7; no mark was given"),
         ("ada,X12.11z,1", "marks.csv:3: words has no part X12.11z; it has "),
-        ("adda,X12.11c,1", "marks.csv:3: nothing of adda is graded (did you mean ada?); grade first"),
+        ("adda,X12.11c,1", "marks.csv:3: no submission of adda is graded (did you mean ada?); grade first"),
     ):
         table.write_text(f"student,part,points\nben,X12.11c,2\n{row}\n")
         done = mark(marked_course, "--from", table)
@@ -111,8 +111,8 @@ def test_a_part_that_was_taken_out_since_is_marked_as_it_was_handed_out(
     ("words", "why"),
     [
         ("ada/X12.11c=3", "from 0 to 2 points, not 3; no mark was given"),
-        ("zoe/X12.11c=1", "nothing of zoe is graded"),
-        ("adda/X12.11c=1", "nothing of adda is graded (did you mean ada?)"),
+        ("zoe/X12.11c=1", "no submission of zoe is graded"),
+        ("adda/X12.11c=1", "no submission of adda is graded (did you mean ada?)"),
         ("ada/X99=1", "has no part X99"),
         ("ada=1", "write it as STUDENT/PART=POINTS"),
         ("ada/X12.11c=two", "not a number of points"),
