@@ -192,7 +192,7 @@ def test_another_answer_is_shown_to_the_person_again(given: Course) -> None:
     )
     assert (exported.document["waiting"], exported.document["again"]) == ([], ["ada"])
     assert "1 student with a new answer to what a person had marked" in exported.errors
-    assert "wait for a person" not in exported.errors
+    assert "wait for marking" not in exported.errors
     (file,) = exported.document["files"]
     with (given.folder / file).open(encoding="utf-8") as lines:
         ada = next(row for row in csv.reader(lines) if "ada" in row)

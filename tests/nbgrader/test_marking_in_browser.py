@@ -67,7 +67,7 @@ def test_answers_are_marked_with_the_keyboard_alone(address: str, marked_course:
     assert page.title() != "hacked"
     assert wrong == []
     page.reload()
-    assert "No answer waits for a person." in page.inner_text("body")
+    assert "No answer waits for marking." in page.inner_text("body")
     page.close()
     feedback = (marked_course.place("feedback", "ben", "words") / "words.html").read_text(encoding="utf-8")
     assert "Marked by your teacher" in feedback

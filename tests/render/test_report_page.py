@@ -140,7 +140,7 @@ def test_a_report_on_nothing_is_a_page(of):
 
 def test_one_of_something_is_said_as_one(of):
     words = Page(report_page(summary([SAMPLE["marked"](of)]), of)).words
-    assert "1 answer waits for a person" in words
+    assert "1 answer waits for marking" in words
     assert "1 notebook ran behind" in words
     assert not re.search(r"\b1 (students|answers|notebooks|submissions|parts|points)\b", words)
 
