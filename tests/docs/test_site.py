@@ -137,6 +137,17 @@ def test_the_search_works_in_a_folder(site: Path, chromium):
 
 
 @pytest.mark.browser
+def test_no_page_scrolls_sideways_on_a_phone(site: Path, pages: dict[Path, Addresses], chromium):
+    page, found = chromium.new_page(viewport={"width": 390, "height": 900}), dict[str, int]()
+    for path in pages:
+        page.goto(path.as_uri())
+        beyond = page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
+        found |= {str(path.relative_to(site)): beyond} if beyond > 0 else {}
+    page.close()
+    assert not found
+
+
+@pytest.mark.browser
 @pytest.mark.client
 @pytest.mark.parametrize(("scheme", "width"), [("light", 1280), ("dark", 390)])
 def test_axe_finds_nothing_serious(site: Path, chromium, axe, scheme, width):

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 import runpy
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
+from corollary.cli.commands import app
+from corollary.cli.preview import previewed
 from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
@@ -15,12 +19,15 @@ from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
 from corollary.records.marks import record_of
+from corollary.records.statistics import set_statistics
 from corollary.render.exports import target
 from corollary.render.feedback_page import feedback_page, page_facts
 from corollary.render.report_page import report_page
 
 pytestmark = pytest.mark.browser
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
+AUDITED = Path(__file__).parents[2] / "examples" / "audit" / "physics.yaml"
+NAMES = ("feedback", "report", "sheet", "preview", "audit")
 PHONE, DESK = 320, 1200
 STICKING_OUT = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 OUT_OF_REACH = """
@@ -34,6 +41,15 @@ ON_THE_EDGE = """
   return width && parseFloat(getComputedStyle(each).borderLeftWidth) && (left < 1 || right > edge - 1);
 }).map(each => each.outerHTML.slice(0, 200))
 """
+BROKEN = """
+all => all.map(each => {
+  const inside = document.createRange();
+  inside.selectNodeContents(each);
+  const tops = [...inside.getClientRects()].map(box => box.top);
+  return Math.max(...tops) - Math.min(...tops);
+})
+"""
+INTERVAL = re.compile(r"\d % \(\d+ % to \d+ %\)")
 TALLER = "[...document.querySelectorAll('.formula')].filter(each => each.querySelector('span') && each.clientHeight > 40).length"
 
 
@@ -49,16 +65,20 @@ def pages(tmp_path_factory) -> dict[str, Path]:
     solutions = {variant.problem.code: worked(variant) for variant in variants}
     write = target("html").worksheet
     assert write is not None
+    summary = SAMPLE["summary"]([marked, late], roster=["ada", "cy", "eve"])
     texts = {
         "feedback": feedback_page(
             page_facts(late, sample, solutions={"X12.5": solutions["X12.5"]}), record_of(late, "")
         ),
-        "report": report_page(SAMPLE["summary"]([marked, late], roster=["ada", "cy", "eve"]), sample),
+        "report": report_page(summary, sample, statistics=set_statistics(summary, {})),
         "sheet": write(worksheet(momentum, Student("ada", "Ada"), variants), solutions),
     }
+    texts["preview"] = previewed(chapter_bank(), variants[0].problem.path)
     for name, text in texts.items():
         (folder / f"{name}.html").write_text(text, encoding="utf-8")
-    return {name: folder / f"{name}.html" for name in texts}
+    done = CliRunner().invoke(app, ["audit", str(AUDITED), "--report", str(folder / "audit.html")])
+    assert done.exit_code == 0, done.output
+    return {name: folder / f"{name}.html" for name in NAMES}
 
 
 def opened(chromium, path: Path, width: int, scheme: str):
@@ -70,7 +90,7 @@ def opened(chromium, path: Path, width: int, scheme: str):
     return page
 
 
-@pytest.mark.parametrize("name", ["feedback", "report", "sheet"])
+@pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("width", [PHONE, 360, DESK])
 def test_nothing_sticks_out_and_what_scrolls_is_reached_by_keyboard(pages, chromium, name, width):
     page = opened(chromium, pages[name], width, "light")
@@ -79,7 +99,7 @@ def test_nothing_sticks_out_and_what_scrolls_is_reached_by_keyboard(pages, chrom
     page.context.close()
 
 
-@pytest.mark.parametrize("name", ["feedback", "report", "sheet"])
+@pytest.mark.parametrize("name", NAMES)
 def test_printed_borders_lie_inside_of_the_page(pages, chromium, name):
     """Paper cuts off what lies on the edge of its margin."""
     page = opened(chromium, pages[name], DESK, "light")
@@ -97,7 +117,7 @@ def test_long_formulas_wrap_on_a_phone_and_not_on_a_desk(pages, chromium):
 
 
 @pytest.mark.client
-@pytest.mark.parametrize("name", ["feedback", "report", "sheet"])
+@pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("width", [360, DESK])
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing(pages, chromium, axe, name, width, scheme):
@@ -108,7 +128,7 @@ def test_axe_finds_nothing(pages, chromium, axe, name, width, scheme):
     page.context.close()
 
 
-@pytest.mark.parametrize("name", ["feedback", "report", "sheet"])
+@pytest.mark.parametrize("name", ["feedback", "report", "sheet", "audit"])
 def test_pages_keep_their_own_policy(pages, chromium, name):
     """The policy lets the page's own style and script through: a browser says so when it does not."""
     context = chromium.new_context(offline=True)
@@ -128,6 +148,17 @@ def test_pages_keep_their_own_policy(pages, chromium, name):
     context.close()
 
 
+def test_no_interval_and_no_number_of_the_report_is_broken_over_lines(pages, chromium):
+    """Bars, too, stand beside the first line of their row."""
+    page = opened(chromium, pages["report"], PHONE, "light")
+    spread = page.locator("tbody td.number").evaluate_all(BROKEN)
+    assert page.get_by_text(INTERVAL).count() > 3
+    assert max(spread) < 10  # pixels: a button's box is higher than its number
+    low = "all => all.map(each => each.getBoundingClientRect().top - each.closest('tr').getBoundingClientRect().top)"
+    assert max(page.locator(".bar svg").evaluate_all(low)) < 24
+    page.context.close()
+
+
 def test_dark_pages_are_dark_and_their_drawings_light(pages, chromium):
     page = opened(chromium, pages["sheet"], DESK, "dark")
     assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(22, 24, 27)"
@@ -137,11 +168,12 @@ def test_dark_pages_are_dark_and_their_drawings_light(pages, chromium):
     page.context.close()
 
 
-def test_what_is_said_of_a_student_has_the_width_of_a_phone(pages, chromium):
-    page = opened(chromium, pages["report"], PHONE, "light")
+@pytest.mark.parametrize("width", [PHONE, DESK])
+def test_what_is_said_of_a_student_has_the_width_of_the_table(pages, chromium, width):
+    page = opened(chromium, pages["report"], width, "light")
     page.locator(".students summary").first.click()
     lists = page.locator(".students details[open] ul")
-    assert lists.first.evaluate("each => each.clientWidth") > 0.8 * PHONE
+    assert lists.first.evaluate("each => each.clientWidth / each.closest('.narrow').clientWidth") > 0.9
     assert page.evaluate(STICKING_OUT) <= 0
     page.context.close()
 

@@ -70,7 +70,7 @@ def _show(performed: Demonstration, folder: Path, seconds: float) -> None:
 
     out = console()
     out.print(terminal(performed.outcome.report))
-    table = Table(title="What each student did, deserves, and got")
+    table = Table(title="What each student did, deserves, and got", title_justify="left", title_style="bold")
     for heading in ("student", "hands in", "deserves", "got", "of", ""):
         numbers = heading in {"deserves", "got", "of"}
         table.add_column(heading, justify="right" if numbers else "left")

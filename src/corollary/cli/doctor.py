@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import textwrap
 from dataclasses import asdict
 from pathlib import Path
 
 from corollary.cli.ending import FAILS, HOLDS, answer
 from corollary.cli.left_out import course_around
+from corollary.cli.terminal import hanging
 from corollary.course.health import findings
 
 SIGNS = {"good": "ok", "weak": "note", "broken": "BROKEN"}
@@ -26,15 +26,6 @@ def run(course: Path | None, as_json: bool) -> int:
         indent = " " * (8 + room + 2)
         for number, line in enumerate(lines):
             head = f"{SIGNS[each.state]:8}{each.name:{room}}  " if number == 0 else indent
-            print(
-                textwrap.fill(
-                    line,
-                    WIDTH,
-                    initial_indent=head,
-                    subsequent_indent=indent,
-                    break_long_words=False,
-                    break_on_hyphens=False,
-                )
-            )
+            print(hanging(head, line, WIDTH))
     print(f"\n{len(broken)} of {len(found)} broken" if broken else f"\nall {len(found)} are fine")
     return FAILS if broken else HOLDS

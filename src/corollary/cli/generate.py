@@ -181,7 +181,14 @@ def _show_missing(change: RosterChange, as_json: bool) -> None:
 
     from corollary.messages import visible
 
-    table = Table("id", "name", "in the file as", title="Not in the new roster", title_justify="left")
+    table = Table(
+        "id",
+        "name",
+        "in the file as",
+        title="Not in the new roster",
+        title_justify="left",
+        title_style="bold",
+    )
     for student, other in change.missing:
         table.add_row(*(Text(visible(each)) for each in (student.id, student.name, other)))
     console(stderr=as_json).print(table)

@@ -9,6 +9,7 @@ from corollary.api import UnknownPart, judge, solve
 from corollary.cli.chosen_variant import chosen_problem
 from corollary.cli.ending import HOLDS, answer, unforeseen
 from corollary.cli.given_values import read_cases
+from corollary.cli.terminal import hanging
 from corollary.derive.solution import Solution
 from corollary.formula.ball import Undefined
 from corollary.grading.mark_record import grade_record
@@ -53,4 +54,5 @@ def _show(record: dict[str, Any]) -> None:
         return
     print(f"{record['code']}: {record['points']:g} of {record['out_of']:g} points")
     for part, entry in record["parts"].items():
-        print(f"  ({part}) {entry['verdict']:9} {entry['points']:g}/{entry['out_of']:g}  {entry['feedback']}")
+        opening = f"  ({part}) {entry['verdict']:9} {entry['points']:g}/{entry['out_of']:g}  "
+        print(hanging(opening, entry["feedback"]))

@@ -19,6 +19,7 @@ from corollary.problem.bank import Bank, chapter_bank, chapter_order, files, ope
 from corollary.version import __version__
 
 HEADINGS = ("code", "title", "topic", "givens", "parts", "answers", "variants")
+ROOMY, LEFT_OUT = 110, ("topic", "answers")  # on a narrower terminal words would be cut in two
 _SORT: dict[str, Callable[[dict[str, Any]], Any]] = {
     "code": lambda record: chapter_order(record["code"]),
     "title": lambda record: record["title"].lower(),
@@ -57,8 +58,18 @@ def run(
     from rich.table import Table
 
     problems, parts = len(found), sum(len(record["parts"]) for record, _ in found)
-    table = Table(title=f"{counted(problems, 'problem')}, {counted(parts, 'part')} (* waits for a person)")
-    for heading in HEADINGS:
+    out = console()
+    headings = [name for name in HEADINGS if out.width >= ROOMY or name not in LEFT_OUT]
+    table = Table(
+        title=f"{counted(problems, 'problem')}, {counted(parts, 'part')} (* waits for a person)",
+        title_justify="left",
+        title_style="bold",
+        caption=None
+        if len(headings) == len(HEADINGS)
+        else f"{' and '.join(LEFT_OUT)}: from {ROOMY} columns on",
+        caption_justify="left",
+    )
+    for heading in headings:
         table.add_column(
             heading,
             justify="right" if heading == "variants" else "left",
@@ -66,8 +77,8 @@ def run(
             overflow="fold",
         )
     for _, row in found:
-        table.add_row(*map(escape, row))
-    console().print(table)
+        table.add_row(*(escape(cell) for name, cell in zip(HEADINGS, row, strict=True) if name in headings))
+    out.print(table)
     return _status(broken)
 
 

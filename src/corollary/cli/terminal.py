@@ -5,7 +5,9 @@ from __future__ import annotations
 import codecs
 import io
 import os
+import shutil
 import sys
+import textwrap
 import time
 import unicodedata
 from collections import deque
@@ -27,6 +29,29 @@ def console(*, stderr: bool = False) -> Console:
     stream = sys.stderr if stderr else sys.stdout
     limited = stream.isatty() or "COLUMNS" in os.environ
     return Console(stderr=stderr, width=None if limited else UNLIMITED)
+
+
+def columns() -> int:
+    """The width of the terminal, or UNLIMITED where there is none."""
+    if sys.stdout.isatty() or "COLUMNS" in os.environ:
+        return shutil.get_terminal_size().columns
+    return UNLIMITED
+
+
+def hanging(opening: str, text: str, most: int = UNLIMITED) -> str:
+    """An opening with a text behind it, broken between words at the terminal's width, `most` at most; further lines begin under
+    the text."""
+    indent = " " * len(opening)
+    wide = max(len(opening) + 24, min(most, columns()))
+    lines = textwrap.wrap(
+        text,
+        wide,
+        initial_indent=opening,
+        subsequent_indent=indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    return "\n".join(lines) or opening.rstrip()
 
 
 T = TypeVar("T")
@@ -74,7 +99,7 @@ def _drawn(what: str, total: int | None, done: int) -> Generator[Callable[[str, 
         console=console,
         transient=True,
     )
-    task = progress.add_task(what, total=total, name="", pace="", completed=done)
+    task = progress.add_task(what, total=total, name="", pace="", completed=max(done, 0))
     count, moments = 0, deque[float](maxlen=WINDOW)
     # The bar draws in a thread, and a process is best forked before it has any: until the first step, one line that stands still.
     console.print(f"{what}: getting ready", end="\r", markup=False, highlight=False)

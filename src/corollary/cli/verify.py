@@ -245,7 +245,14 @@ def _bends(found: list[Checked]) -> None:
 def _table(found: list[Checked]) -> None:
     from rich.table import Table
 
-    table = Table(title="Verified", box=None, padding=(0, 2, 0, 0), pad_edge=False)
+    table = Table(
+        title="Verified",
+        title_justify="left",
+        title_style="bold",
+        box=None,
+        padding=(0, 2, 0, 0),
+        pad_edge=False,
+    )
     for heading in (
         "code",
         "variants",

@@ -91,10 +91,14 @@ def environment() -> Environment:
         "inline": _inline,
         "points": points,
         "earned": earned,
-        "percent": lambda share: percent(share).replace(" ", "\N{NO-BREAK SPACE}"),
+        "percent": _unbroken_percent,
     }
     found.globals |= {"_": _, "plural": _.plural, "points_of": points_earned}  # pyright: ignore[reportAttributeAccessIssue]
     return found
+
+
+def _unbroken_percent(share: float) -> str:
+    return percent(share).replace(" ", "\N{NO-BREAK SPACE}")
 
 
 def _markdown(text: str) -> Markup:

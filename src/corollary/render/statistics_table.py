@@ -111,4 +111,8 @@ def _offer(offer: SharedRule) -> Text:
 
 
 def _empty(title: str, *columns: str) -> Table:
-    return Table(*columns, title=title, title_justify="left", title_style="bold")
+    table = Table(title=title, title_justify="left", title_style="bold")
+    for name in columns:
+        numbers = name not in {"part", "what", "feature", "students"}
+        table.add_column(name, justify="right" if numbers else "left", no_wrap=numbers or name == "part")
+    return table
