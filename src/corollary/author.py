@@ -5,14 +5,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from itertools import dropwhile
 from pathlib import Path
 from typing import Any
 
 import sympy
 from sympy.logic.boolalg import Boolean
 
-from corollary.derive.beside import LazyModule
+from corollary.derive.beside import LazyModule, program_text
 from corollary.derive.derivation import Branch, Case, Cases, Entry, branches
 from corollary.derive.simulation import NONE, Seen, Simulation
 from corollary.derive.stated_words import along as along
@@ -213,8 +212,7 @@ def file(name: str) -> str:
     """The text of a program beside the solution, `example=file("newtons_cradle/cradle.py")`, without the imports it opens with:
     every notebook has made them (numpy as np, matplotlib.pyplot as plt).
     """
-    lines = (_folder() / name).read_text(encoding="utf-8").splitlines(keepends=True)
-    return "".join(dropwhile(lambda line: not line.strip() or line.startswith("import "), lines))
+    return program_text(_folder() / name)
 
 
 def module(name: str) -> LazyModule:

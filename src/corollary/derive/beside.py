@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import ast
 import importlib
+import re
 import sys
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from importlib.machinery import FileFinder, SourceFileLoader
 from importlib.util import module_from_spec, spec_from_loader
+from itertools import dropwhile
 from numbers import Number
 from pathlib import Path
 from types import ModuleType
@@ -82,6 +84,7 @@ def _refuse(left: Any, right: Any, sign: str, word: str) -> None:
 
 LOADED = "corollary_beside_"  # begins the name of a module that is loaded late, which no installed one has
 LONGEST = 200  # letters of a file's name
+BACKTICKS = re.compile(r"`([\w./-]{1,200})`")
 
 
 class _Loader(SourceFileLoader):
@@ -193,28 +196,38 @@ class LazyModule:
         return self._module
 
 
+def program_text(path: Path) -> str:
+    """The text of a program in a file without the imports it opens with, which every notebook has made. Raises OSError."""
+    lines = path.read_text(encoding="utf-8").splitlines(keepends=True)
+    return "".join(dropwhile(lambda line: not line.strip() or line.startswith("import "), lines))
+
+
 def files_beside(solution: Path, source: bytes, scenes: Sequence[Path] = ()) -> list[Path]:
     """The Python files that a solution imports from its folder or names in a text (`module("cart/judge_cart.py")`), the ready-made
     scenes in the folders `scenes` that it names (`simulate("cradle")`), and those that these do; none where it is not Python."""
     there = [{path.stem: path for path in folder.glob("*.py")} for folder in scenes]
     found: dict[Path, None] = {}
-    todo = [(solution.parent, source)]
+    todo = [(solution, source)]
     while todo:
-        folder, text = todo.pop()
-        for name in _names(text):
+        file, text = todo.pop()
+        for name in _names(file, text):
             if name.endswith(".py"):
-                places = [each / name for each in (folder, solution.parent)]
+                places = [each / name for each in (file.parent, solution.parent)]
                 path = next((each for each in places if each.is_file()), solution)
             else:
                 path = next((each[name] for each in there if name in each), solution)
             if path not in found and path != solution:
                 found[path] = None
-                todo.append((path.parent, path.read_bytes()))
+                todo.append((path, path.read_bytes()))
     return sorted(found)
 
 
-def _names(source: bytes) -> Iterator[str]:
-    """Files that a program imports, if they are there, or names; and texts that may be a scene's name."""
+def _names(solution: Path, source: bytes) -> Iterator[str]:
+    """Files that a program imports, if they are there, or names; and texts that may be a scene's name. Of a solution in text, what
+    stands between backticks."""
+    if solution.suffix == ".md":
+        yield from BACKTICKS.findall(source.decode(errors="replace"))
+        return
     try:
         tree = ast.parse(source)
     except (SyntaxError, ValueError):

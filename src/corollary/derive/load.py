@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
 import inspect
 import re
@@ -20,6 +21,7 @@ from corollary.answers.questions import checked
 from corollary.derive.beside import NAMES, compiled, files_beside, importable
 from corollary.derive.derivation import Branch, Derivation
 from corollary.derive.given_signs import symbol_of
+from corollary.derive.markdown_items import MarkdownError
 from corollary.derive.statements import SOLUTION
 from corollary.derive.time_limit import TooLong, keyboard, no_way_out, time_limit
 from corollary.guard import Overtime, failure_of
@@ -48,13 +50,13 @@ class NotDerivable(Exception):
 @dataclass(frozen=True, slots=True)
 class Loaded:
     """What a solution file says: the derivation (of its first case), the line where derive begins, what to simulate, and what
-    letters stand for, where it says so. `bank` is the one whose ready-made scenes it names."""
+    letters stand for, where it says so. `bank` is the one whose ready-made scenes it names; `scene` loads the function."""
 
     path: Path
     bank: Bank
     derivation: Derivation
     line: int
-    scene: Callable[..., Any] | None
+    scene: Callable[[], Callable[..., Any]] | None
     branches: tuple[Branch, ...]
     meanings: Mapping[str, str] = field(default_factory=dict[str, str])
 
@@ -67,11 +69,12 @@ def load(bank: Bank, problem: Problem) -> Loaded:
     checked(problem)
     path = bank.solution(problem)
     if not path.is_file():
-        raise NotDerivable(
-            path, 0, f"is missing; {problem.path.name} needs a solution there, with a function derive(…)"
-        )
+        raise NotDerivable(path, 0, f"is missing; {problem.path.name} needs a solution there")
+    home = bank.home_of(problem.path)
+    if path.suffix == ".md":
+        return _read(problem, path, home)
     with importable(path.parent), time_limit(AUTHOR_S, AUTHOR_WALL_S), redirect_stdout(sys.stderr):
-        return _loaded(problem, path, bank.home_of(problem.path))
+        return _loaded(problem, path, home)
 
 
 @contextmanager
@@ -108,6 +111,45 @@ def called_later(
         yield
 
 
+def _read(problem: Problem, path: Path, bank: Bank) -> Loaded:
+    """A solution in text. Nothing is run: its scene, in the file of the same name beside it, is loaded when it is asked for."""
+    from corollary.derive.solution_text import read_solution  # only here, as sympy above
+    from corollary.laws.law import own_letters
+
+    symbols = {given.symbol: symbol_of(problem, given.symbol) for given in problem.givens if not given.words}
+    numbered = problem.path.is_relative_to(chapter_bank().problems)
+    try:
+        text = path.read_text(encoding="utf-8")
+        with own_letters(symbols, numbered=numbered) as meanings:
+            stated = read_solution(text, symbols, path.parent)
+    except MarkdownError as error:
+        raise NotDerivable(path, error.line, error.sentence) from error
+    except (OSError, UnicodeDecodeError) as error:
+        raise NotDerivable(path, 0, f"cannot be read: {error}") from None
+    return Loaded(path, bank, stated[0].derivation, 1, _scene_beside(path), stated, meanings)
+
+
+def _scene_beside(path: Path) -> Callable[[], Callable[..., Any]] | None:
+    """The function `scene` of the program beside a solution in text, loaded when it is asked for. Raises NotDerivable."""
+    program = path.with_suffix(".py")
+    if not program.is_file():
+        return None
+    try:
+        body = ast.parse(program.read_bytes()).body
+    except (SyntaxError, ValueError) as error:
+        raise NotDerivable(program, getattr(error, "lineno", 0) or 0, f"is not Python: {error}") from None
+    functions = {node.name: node.lineno for node in body if isinstance(node, ast.FunctionDef)}
+    if "derive" in functions:
+        sentence = f"states a solution that stands in {path.name}, too; keep one of the two"
+        raise NotDerivable(program, functions["derive"], sentence)
+
+    def loaded() -> Callable[..., Any]:
+        with importable(program.parent), time_limit(AUTHOR_S, AUTHOR_WALL_S), redirect_stdout(sys.stderr):
+            return cast("Callable[..., Any]", _module(program).scene)
+
+    return loaded if "scene" in functions else None
+
+
 def _loaded(problem: Problem, path: Path, bank: Bank) -> Loaded:
     module = _module(path)
     derive = getattr(module, "derive", None)
@@ -131,8 +173,8 @@ def _loaded(problem: Problem, path: Path, bank: Bank) -> Loaded:
     if not all(isinstance(each, Branch) for each in stated) or not stated:
         raise NotDerivable(path, line, "derive must return derivation(…)")
     scene = getattr(module, "scene", None)
-    scene = scene if inspect.isfunction(scene) else None
-    return Loaded(path, bank, stated[0].derivation, line, scene, stated, meanings)
+    found = (lambda: scene) if inspect.isfunction(scene) else None
+    return Loaded(path, bank, stated[0].derivation, line, found, stated, meanings)
 
 
 def source(bank: Bank, problem: Problem) -> bytes:
@@ -146,7 +188,12 @@ def sources(bank: Bank, problem: Problem) -> dict[Path, bytes]:
     path = bank.solution(problem)
     try:
         own, scenes = path.read_bytes(), scene_folders(bank.home_of(problem.path))
-        return {path: own} | {each: each.read_bytes() for each in files_beside(path, own, scenes)}
+        found, beside = {path: own}, files_beside(path, own, scenes)
+        program = path.with_suffix(".py")
+        if path != program and program.is_file():
+            found[program] = program.read_bytes()
+            beside += files_beside(program, found[program], scenes)
+        return found | {each: each.read_bytes() for each in sorted(set(beside))}
     except OSError as error:
         raise NotDerivable(path, 0, f"cannot be read: {error.strerror}") from None
 

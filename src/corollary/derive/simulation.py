@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from corollary.derive.load import AUTHOR_S, AUTHOR_WALL_S, Loaded, NotDerivable, authors_code, load
 from corollary.derive.time_limit import time_limit
@@ -62,14 +63,11 @@ def simulations_of(
     """The same of a solution that is loaded. Raises NotDerivable."""
     if loaded.scene is None:
         return []
-    line = loaded.scene.__code__.co_firstlineno
-    with time_limit(AUTHOR_S, AUTHOR_WALL_S), authors_code(loaded.path, "scene fails", line):
-        bounds = (
-            {"neglected": neglected or {}}
-            if "neglected" in inspect.signature(loaded.scene).parameters
-            else {}
-        )
-        wanted = list(loaded.scene(**variant.si, answer=answers, **bounds))
+    scene = loaded.scene()
+    line, path = scene.__code__.co_firstlineno, Path(scene.__code__.co_filename)
+    with time_limit(AUTHOR_S, AUTHOR_WALL_S), authors_code(path, "scene fails", line):
+        bounds = {"neglected": neglected or {}} if "neglected" in inspect.signature(scene).parameters else {}
+        wanted = list(scene(**variant.si, answer=answers, **bounds))
     if not all(isinstance(each, Simulation) for each in wanted):
-        raise NotDerivable(loaded.path, line, "scene must return a list of simulate(…)")
+        raise NotDerivable(path, line, "scene must return a list of simulate(…)")
     return [replace(each, bank=loaded.bank) for each in wanted]

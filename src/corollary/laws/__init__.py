@@ -54,6 +54,11 @@ def _plugged_in() -> dict[str, Callable[..., Any]]:
     return found
 
 
+def library() -> dict[str, Callable[..., Any]]:
+    """Every law by name, those of installed packages among them. Raises ImportError, PlugInFault."""
+    return {**_plugged_in(), **_OWN}
+
+
 def __getattr__(name: str) -> Any:
     """A law that is not ours, from an installed package."""
     if not name.startswith("_") and name in _plugged_in():

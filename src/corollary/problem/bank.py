@@ -74,9 +74,12 @@ class Bank:
         return self.solution_beside(problem.path)
 
     def solution_beside(self, path: Path) -> Path:
-        """Where the solution of the problem in a file must lie; a set may take problems of other banks than this."""
+        """Where the solution of the problem in a file lies, or must lie: a text, or else a program of that name. A set may take
+        problems of other banks than this."""
         home = self.home_of(path)
-        return (home.folder / "solutions" / path.relative_to(home.problems)).with_suffix(".py")
+        text = home.folder / "solutions" / path.relative_to(home.problems)
+        program = text.with_suffix(".py")
+        return program if program.is_file() and not text.is_file() else text
 
     def home_of(self, path: Path) -> Bank:
         """The one bank in which the file of a problem lies. Raises UnknownCode."""

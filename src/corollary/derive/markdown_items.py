@@ -1,0 +1,85 @@
+"""Markdown as sections with a heading, a paragraph and a list, each with its line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+HEADING = re.compile(r"(#{1,6})\s+(.*\S)\s*$")
+BULLET = re.compile(r"(\s*)[-*+]\s+(.*\S)\s*$")
+COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+KEY = re.compile(r"([a-z][a-z ]*[a-z]):(?:\s+(.*))?$", re.DOTALL)
+
+
+class MarkdownError(ValueError):
+    """A line of a text that cannot be read, and what to write there."""
+
+    def __init__(self, line: int, sentence: str):
+        self.line, self.sentence = line, sentence
+        super().__init__(f"{line}: {sentence}")
+
+
+@dataclass(slots=True)
+class Item:
+    """An item of a list, with the items below it. `key` is the word before its colon, "" where there is none."""
+
+    text: str
+    line: int
+    indent: int = 0
+    items: list[Item] = field(default_factory=list["Item"])
+    key: str = ""
+
+    def values(self, key: str) -> list[Item]:
+        """The items below it with this key."""
+        return [each for each in self.items if each.key == key]
+
+
+@dataclass(slots=True)
+class Section:
+    """A heading (level 0 and no title: what stands before the first), the paragraphs below it, and the items of its lists."""
+
+    level: int
+    title: str
+    line: int
+    paragraph: str = ""
+    items: list[Item] = field(default_factory=list[Item])
+
+
+def sections(text: str) -> list[Section]:
+    """The sections of a text, in order. Lines that go on are joined by blanks; comments are left out."""
+    without = COMMENT.sub(lambda found: "\n" * found[0].count("\n"), text.lstrip("\ufeff"))
+    found = [Section(0, "", 1)]
+    path: list[Item] = []  # the item that the next line may go on with, and those above it
+    gap = False
+    for line, content in enumerate(without.splitlines(), 1):
+        section = found[-1]
+        if not content.strip():
+            gap = True
+        elif heading := HEADING.match(content):
+            found.append(Section(len(heading[1]), heading[2], line))
+            path = []
+        elif bullet := BULLET.match(content):
+            indent = len(bullet[1].expandtabs(4))
+            while path and path[-1].indent >= indent:
+                path.pop()
+            item = Item(bullet[2], line, indent)
+            (path[-1].items if path else section.items).append(item)
+            path.append(item)
+        elif path and not (gap and content[0] not in " \t"):
+            path[-1].text += f" {content.strip()}"
+        else:
+            path = []
+            section.paragraph = f"{section.paragraph} {content.strip()}".lstrip()
+        gap = not content.strip()
+    for section in found:
+        for item in _all(section.items):
+            if key := KEY.match(item.text):
+                item.key, item.text = key[1], key[2] or ""
+    return found
+
+
+def _all(items: list[Item]) -> Iterator[Item]:
+    for item in items:
+        yield item
+        yield from _all(item.items)
