@@ -10,9 +10,7 @@ from corollary.scenes.film import AGAIN, Film, film
 from corollary.scenes.forces.bonds import FADING, catching
 from corollary.scenes.forces.fields import ForceFunction
 from corollary.scenes.models.certain import Evaluated, by_formulas
-from corollary.scenes.run import (
-    Run,
-)
+from corollary.scenes.run import Run
 from corollary.scenes.scene import Body
 
 SETTINGS = (

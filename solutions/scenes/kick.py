@@ -11,9 +11,7 @@ from corollary.scenes.definition import Setting, Settings, numbers
 from corollary.scenes.film import Film, film
 from corollary.scenes.forces.fields import ForceFunction
 from corollary.scenes.models.certain import ComplexBall, Evaluated, by_formulas, integral
-from corollary.scenes.run import (
-    Run,
-)
+from corollary.scenes.run import Run
 from corollary.scenes.scene import Body
 
 SETTINGS = (

@@ -17,7 +17,7 @@ FIRST = [
     DOCS / "reference" / "problem_file.md",
     DOCS / "reference" / "solution_file.md",
 ]  # a pair on two pages
-OF_A_PAIR = re.compile(r"^```markdown\n---\ncode: |^def derive\(", re.MULTILINE)
+OF_A_PAIR = re.compile(r"^```markdown\n(---\ncode: |(?!---))|^def derive\(", re.MULTILINE)
 TEXTS = [path.read_text(encoding="utf-8") for path in dict.fromkeys([*FIRST, *sorted(DOCS.rglob("*.md"))])]
 PAGE = "\n".join(text for text in TEXTS if OF_A_PAIR.search(text))
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -29,6 +29,7 @@ PROGRAM = re.compile(r"# (\w+)/(\w+\.py)\n")
 class Pair:
     problem: str
     solution: str = ""
+    beside: str = ""  # the program of the same name
     programs: dict[str, str] = field(default_factory=dict)
 
     @property
@@ -37,31 +38,29 @@ class Pair:
         assert found is not None
         return found[1]
 
-    @property
-    def givens(self) -> set[str]:
-        return set(re.findall(r"^  (\w+): +\{is:", self.problem, re.MULTILINE))
-
 
 def pairs() -> dict[str, Pair]:
-    """Each problem with the next solution whose `derive` takes givens of it, and the programs behind that."""
-    problems: list[Pair] = []
-    solved: list[Pair] = []
+    """Each problem with the solution behind it, and the programs behind that. A second solution of a problem, in Python, is a pair of
+    its own."""
+    found: dict[str, Pair] = {}
+    last = Pair("")
     for kind, text in BLOCK.findall(PAGE):
-        if kind == "markdown":
-            problems.append(Pair(text))
+        if kind == "markdown" and text.startswith("---"):
+            last = Pair(text)
+            found[last.code] = last
+        elif kind == "markdown":
+            assert not last.solution, text
+            last.solution = text
         elif kind == "python" and (program := PROGRAM.match(text)):
-            solved[-1].programs["/".join(program.groups())] = text
+            last.programs["/".join(program.groups())] = text
+        elif kind == "python" and "def derive(" in text:
+            found[f"{last.code} in Python"] = Pair(last.problem, beside=text)
         elif kind == "python":
-            taken = re.search(r"^def derive\((.*)\):$", text, re.MULTILINE)
-            assert taken is not None, f"neither a solution nor a program:\n{text}"
-            wanted = set(taken[1].split(", "))
-            own = next(each for each in reversed(problems) if not each.solution and wanted <= each.givens)
-            own.solution = text
-            solved.append(own)
+            last.beside = text
         else:
             assert kind in ELSEWHERE, kind
-    assert all(each.solution for each in problems)
-    return {each.code: each for each in problems}
+    assert all(each.solution or each.beside for each in found.values())
+    return found
 
 
 PAIRS = pairs()
@@ -82,9 +81,14 @@ def test_the_pair_verifies(tmp_path, code):
     pair, name = PAIRS[code], "pair"
     for program in pair.programs:
         name = program.partition("/")[0]
-    for folder, ending, text in (("problems", "md", pair.problem), ("solutions", "py", pair.solution)):
-        (tmp_path / folder / "x").mkdir(parents=True)
-        (tmp_path / folder / "x" / f"{name}.{ending}").write_text(text, encoding="utf-8")
+    for folder, ending, text in (
+        ("problems", "md", pair.problem),
+        ("solutions", "md", pair.solution),
+        ("solutions", "py", pair.beside),
+    ):
+        if text:
+            (tmp_path / folder / "x").mkdir(parents=True, exist_ok=True)
+            (tmp_path / folder / "x" / f"{name}.{ending}").write_text(text, encoding="utf-8")
     for program, text in pair.programs.items():
         path = tmp_path / "solutions" / "x" / program
         path.parent.mkdir(exist_ok=True)
@@ -94,5 +98,5 @@ def test_the_pair_verifies(tmp_path, code):
     examples = [name for name in pair.programs if "/judge_" not in name]
     assert checked.checks.get("programs run", 0) == 2 * len(examples)
     assert pair.programs or checked.checks.get("mistakes apart", 0) > 0
-    assert ("def scene" in pair.solution) == (checked.checks.get("simulations met", 0) > 0)
+    assert ("def scene" in pair.beside) == (checked.checks.get("simulations met", 0) > 0)
     assert not checked.notes

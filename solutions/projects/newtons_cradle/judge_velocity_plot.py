@@ -37,6 +37,18 @@ STEPS = 300  # in a contact
 STEEPEST = 10.0  # exponents of a contact
 
 
+def judge_two_balls(given: Given, figures: Sequence[Axes]) -> Fault | Doubt | None:
+    """The curves of two balls."""
+    return judge_velocity_plot(given, figures, balls=2)
+
+
+def judge_three_balls(
+    given: Given, figures: Sequence[Axes], called: Sequence[Called]
+) -> Fault | Doubt | None:
+    """The curves of three balls, for the (k, q) that was returned."""
+    return judge_velocity_plot(given, figures, balls=3, called=called)
+
+
 def judge_velocity_plot(
     given: Given, figures: Sequence[Axes], balls: int, called: Sequence[Called] | None = None
 ) -> Fault | Doubt | None:

@@ -20,7 +20,7 @@ def first_use(options: Mapping[str, Any]) -> str:
     """What to say of the banks that are used for the first time and are not the chapter's; nothing where no person reads it."""
     if not sys.stderr.isatty():
         return ""
-    from corollary.problem.bank import CHAPTER, VARIABLE, chapter_bank
+    from corollary.problem.bank import CHAPTER, VARIABLE, Bank, chapter_bank
 
     banks = str(options["bank"] or os.environ.get(VARIABLE, "")).split(os.pathsep)
     code = str(options.get("code") or "")
@@ -28,11 +28,12 @@ def first_use(options: Mapping[str, Any]) -> str:
         banks = [str(above.parent) for above in Path(code).resolve().parents if above.name == "problems"][:1]
     named = {str(Path(bank).resolve()) if Path(bank).is_dir() else bank for bank in banks if bank}
     new = named - {CHAPTER, str(chapter_bank().folder)} - set(known())
+    new -= {bank for bank in new if Path(bank).is_dir() and not Bank(Path(bank)).has_programs}
     if not new:
         return ""
     remember(new)
     return (
-        f"{', '.join(sorted(new))}: solutions of a bank are Python programs, which run as you and may do what you may; "
+        f"{', '.join(sorted(new))}: beside its solutions this bank has Python programs, which run as you and may do what you may; "
         "use banks of people you trust (said once for each bank)"
     )
 

@@ -117,7 +117,8 @@ def edition(bank: Bank, path: Path) -> str:
     """Tells the files of a problem apart from what they were: its own, its pictures, its solution, the programs beside that, and the
     bank's ready-made scenes."""
     solution, scenes = bank.solution_beside(path), bank.home_of(path).scenes
-    beside = [*solution.parent.glob("*.py"), *solution.with_suffix("").rglob("*.py"), *scenes.glob("*.py")]
+    programs = (*solution.parent.glob("*.py"), *solution.with_suffix("").rglob("*.py"), *scenes.glob("*.py"))
+    beside = [solution, *programs]
     with suppress(OSError):
         beside += pictures_of(path)
     states: list[str] = []

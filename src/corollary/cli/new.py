@@ -48,6 +48,8 @@ def run(code: str, name: str, like: str | None, bank: Path | None, as_json: bool
     folder = topic or (model[1].topic if model else _topic(have, code))
     problem = place.problems / folder / f"{stem}.md"
     solution = place.solution_beside(problem)
+    if model:
+        solution = solution.with_suffix(model[0].solution(model[1]).suffix)
     namesakes = [path for path in have if path.stem == stem]
     for path in (*namesakes, solution, *([solution.with_suffix("")] if model else [])):
         if path.exists():
@@ -66,7 +68,7 @@ def run(code: str, name: str, like: str | None, bank: Path | None, as_json: bool
     if as_json:
         answer({"code": code, "problem": str(problem), "solution": str(solution)})
         return HOLDS
-    _say_what_next(code, place, problem, solution, like if "printed(" in derives else None)
+    _say_what_next(code, place, problem, solution, like if re.search(r"printed[(:]", derives) else None)
     return HOLDS
 
 
@@ -110,7 +112,9 @@ def _beside(bank: Bank, model: Problem, solution: Path) -> dict[Path, Path]:
     its own folder are copied with that."""
     theirs, texts = bank.solution(model), sources(bank, model)
     wanted = {
-        each: solution.parent / each.relative_to(theirs.parent)
+        each: solution.with_suffix(".py")
+        if each == theirs.with_suffix(".py")
+        else solution.parent / each.relative_to(theirs.parent)
         for each in texts
         if each != theirs and each.parent == theirs.parent
     }
@@ -138,18 +142,14 @@ def _topic(have: dict[Path, str], code: str) -> str:
 def _texts(code: str, title: str, stem: str, model: tuple[Bank, Problem] | None) -> tuple[str, str]:
     """What the two files hold."""
     if model is None:
-        asks, derives = (
-            (FIRST / name).read_text(encoding="utf-8") for name in ("problem.md", "solution.py.txt")
-        )
+        asks, derives = ((FIRST / name).read_text(encoding="utf-8") for name in ("problem.md", "solution.md"))
         return asks.replace("CODE", code, 1).replace("TITLE", title, 1), derives.replace("TITLE", title, 1)
     bank, problem = model
     asks = problem.path.read_text(encoding="utf-8")
     for line, text in (("code", code), ("title", title), ("source", f"after {problem.code}")):
         asks = re.sub(rf"^{line}:.*$", f"{line}: {text}", asks, count=1, flags=re.MULTILINE)
     derives = next(iter(sources(bank, problem).values())).decode()  # its own text
-    return asks, derives.replace(
-        f'"{problem.path.stem}/', f'"{stem}/'
-    )  # programs lie in a folder of that name
+    return asks, re.sub(rf'(["`]){problem.path.stem}/', rf"\1{stem}/", derives)  # its programs' folder
 
 
 def _say_what_next(code: str, place: Bank, problem: Path, solution: Path, printed: str | None) -> None:
@@ -163,7 +163,7 @@ def _say_what_next(code: str, place: Bank, problem: Path, solution: Path, printe
     if option:
         print(f"To leave out --bank from now on: export {VARIABLE}={place.folder}")
     if printed:
-        print(f"Its lines printed(…) are what is printed for {printed}: drop them.")
+        print(f"Its lines printed are what the chapter prints for {printed}: drop them.")
 
 
 def _short(path: Path) -> Path:

@@ -100,6 +100,8 @@ class LetterTable:
 
     def _condition(self, node: ast.expr, text: str) -> Any:
         match node:
+            case ast.Name("true" | "false" as truth):
+                return truth == "true"
             case ast.BoolOp(operation, parts):
                 join = sympy.And if isinstance(operation, ast.And) else sympy.Or
                 return join(*(self._condition(part, text) for part in parts))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -67,7 +67,7 @@ ALLOWED: Mapping[str, tuple[str, ...]] = {
     "explain": ("rubric",),
     "choice": (),
     "checks": (),
-    "letters": ("letter", "vector", "function", "variable", "supposed"),
+    "letters": ("letter", "function", "variable", "supposed"),
 }
 KINDS = ("optimum", "simulated", "example", "neglected", "proof", "code", "plot")
 """Items that say of which kind a section is."""
@@ -156,8 +156,6 @@ class _Reader:
         self.table.meanings[letter] = meaning
 
     def _unknown(self, letter: str, meaning: str = "") -> sympy.Symbol:
-        if letter in self.givens:
-            raise ValueError(f"{letter} is a given; call the unknown by another letter")
         (symbol,) = unknowns(letter, **({letter: meaning} if meaning else {}))
         self._know(letter, symbol)
         return symbol
@@ -168,11 +166,7 @@ class _Reader:
                 letters, meaning = _with_sentence(item)
                 match item.key:
                     case "letter":
-                        for letter in parted(letters):
-                            self._unknown(letter.strip(), meaning)
-                    case "vector":
-                        names = [each.strip() for each in parted(letters)]
-                        self._vector(names, meaning)
+                        self._vector([each.strip() for each in parted(letters)], meaning)
                     case "variable":
                         self._know(letters, variable(letters, meaning))
                     case "function":
@@ -208,6 +202,8 @@ class _Reader:
         """The letters that a section finds, or needs."""
         _part, letters, meaning = self._title(section)
         with _at(section.line):
+            if given := [letter for letter in letters if letter in self.givens]:
+                raise ValueError(f"{given[0]} is a given; call the unknown by another letter")
             new = [letter for letter in letters if letter not in self.table.meanings]
             if new:
                 self._vector(new, meaning)
@@ -216,13 +212,11 @@ class _Reader:
         for item in section.items:
             with _at(item.line):
                 if item.key == "letter":
-                    names, words = _with_sentence(item)
-                    for letter in parted(names):
-                        self._unknown(letter.strip(), words)
+                    letters, words = _with_sentence(item)
+                    self._vector([each.strip() for each in parted(letters)], words)
                 elif item.key == "also":
-                    for letter in parted(_formula(item)):
-                        if letter.strip() not in self.table.meanings:
-                            self._unknown(letter.strip())
+                    letters = [each.strip() for each in parted(_formula(item))]
+                    self._vector([each for each in letters if each not in self.table.meanings])
 
     def _title(self, section: Section) -> tuple[str, list[str], str]:
         found = TITLE.match(section.title)
@@ -344,15 +338,17 @@ class _Reader:
             also,
             where,
             tuple(rejected),
-            self._mistakes(section),
+            self._mistakes(section, laws),
             tuple(routes),
             scale,
         )
 
-    def _mistakes(self, section: Section) -> tuple[Mistake[Exchange], ...]:
-        return tuple(self._mistake(item) for item in section.items if item.key == "mistake")
+    def _mistakes(self, section: Section, laws: Sequence[Law] = ()) -> tuple[Mistake[Exchange], ...]:
+        names = {law.name for law in laws}
+        return tuple(self._mistake(item, names) for item in section.items if item.key == "mistake")
 
-    def _mistake(self, item: Item) -> Mistake[Exchange]:
+    def _mistake(self, item: Item, names: Collection[str] = ()) -> Mistake[Exchange]:
+        """`names` are those of the step's laws: a law of that name takes its place."""
         with _at(item.line):
             text, clauses = _clauses(item)
             where = [*clauses["where"], *(_formula(each) for each in item.values("where"))]
@@ -360,6 +356,8 @@ class _Reader:
             instead = (*clauses["instead of"], *below)
             which = self.table.condition(_single(where, "condition", "v > 0")) if where else None
             nested = self._laws(item.items, named=False)
+            if not instead and nested and all(law.name in names for law in nested):
+                instead = tuple(dict.fromkeys(law.name for law in nested))
             formulas = clauses["law"]
             if len(formulas) == 1 and is_call(formulas[0]) and not nested:
                 called = self.table.call(formulas[0])
@@ -522,8 +520,12 @@ class _Reader:
         item = _first(section, "code")
         with _at(item.line):
             judges = LazyModule(self.folder / _formula(item), self.folder)
-            inputs, judge = (getattr(judges, _name(item, key)) for key in ("inputs", "judge"))
-            return Code(statement, inputs, judge, program_text(self.folder / _name(item, "example")))
+            inputs = getattr(judges, _name(item, "inputs")) if item.values("inputs") else _without_arguments
+            judge, example = (
+                getattr(judges, _name(item, "judge")),
+                program_text(self.folder / _name(item, "example")),
+            )
+            return Code(statement, inputs, judge, example)
 
     def _plot(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Plot:
         item = _first(section, "plot")
@@ -564,6 +566,11 @@ class _Reader:
             raise ValueError("write it as in (a) `2.28 kg m/s` in (12.31)")
         erratum = _one(item.values("erratum")) if item.values("erratum") else ""
         return Printed(Statement(found[1], "", item.line), found[2], found[3] or "", erratum)
+
+
+def _without_arguments(given: object, draw: object) -> list[dict[str, Any]]:
+    """One call without arguments."""
+    return [{}]
 
 
 def _first(section: Section, key: str) -> Item:

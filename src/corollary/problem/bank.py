@@ -54,6 +54,11 @@ class Bank:
         return self.folder / "solutions" / "scenes"
 
     @property
+    def has_programs(self) -> bool:
+        """Whether any of its solutions, or anything beside them, is a program rather than a text."""
+        return any(next(bank.folder.joinpath("solutions").rglob("*.py"), None) for bank in self.each)
+
+    @property
     def place(self) -> str:
         """What `open_bank` opens it by."""
         return os.pathsep.join(str(bank.folder.resolve()) for bank in self.each)

@@ -2,62 +2,7 @@
 
 from math import asin, sqrt
 
-from corollary.author import derivation, mistake, simulate, step, unknowns
-from corollary.laws import falling, law, wrong
-
-
-def derive(m, h, v, L, g):
-    u, W, f = unknowns("u W f")
-    return derivation(
-        step(
-            u,
-            "All the potential energy becomes kinetic energy.",
-            falling(u, g, h),
-            where=u > 0,
-            answers="a",
-            mistakes=[
-                mistake(
-                    "You took the length of the slide. For gravity only the height counts.",
-                    wrong("u^2 = 2*g*L"),
-                    where=u > 0,
-                ),
-                mistake("The factor 1/2 of the kinetic energy is missing.", wrong("u^2 = g*h"), where=u > 0),
-            ],
-            check="It is the speed of a free fall through the same height.",
-        ),
-        step(
-            W,
-            "The kinetic energy at the bottom is the potential energy from the top and the work of friction.",
-            law("Energy and work", "m*g*h + W = m*v^2/2", W=W),
-            answers="b",
-            mistakes=[
-                mistake(
-                    "Friction acts against the motion: what sign has its work?",
-                    wrong("m*g*h - W = m*v^2/2", W=W),
-                ),
-                mistake(
-                    "That is the kinetic energy at the bottom; compare it with what was there at the top.",
-                    wrong("W = m*v^2/2", W=W),
-                ),
-                mistake(
-                    "The squares of the speeds make the energies: it is not the energy of the difference of "
-                    "the speeds.",
-                    wrong("W = -m*(u - v)^2/2", W=W),
-                ),
-            ],
-            check="Negative: friction takes energy away.",
-        ),
-        step(
-            f,
-            "Work is force times way; friction points against the way.",
-            law("Work", "W = -f*L", W=W),
-            answers="c",
-            mistakes=[
-                mistake("Friction acts along the slide; the height is not its way.", wrong("W = -f*h", W=W)),
-                mistake("That is the component of the weight along the slide.", wrong("f = m*g*h/L")),
-            ],
-        ),
-    )
+from corollary.author import simulate
 
 
 def scene(m, h, v, L, g, answer):

@@ -1,56 +1,9 @@
 """A grindstone: friction at the rim slows a disc down."""
 
-from corollary.author import derivation, mistake, simulate, step, unknowns
-from corollary.laws import angular_second_law, law, wrong
+from corollary.author import simulate
 from corollary.scenes.forces.contact import HardWall
 from corollary.scenes.forces.fields import ForceFunction
 from corollary.scenes.scene import Body, Scene
-
-
-def derive(M, R, n, N, mu):
-    D, I, alpha, t, Q = unknowns("D I alpha t Q", alpha="angular acceleration")
-    return derivation(
-        step(
-            D,
-            "Friction acts along the rim, at the distance R from the axis.",
-            law("Torque of friction", "D = mu*N*R", D=D, N=N),
-            answers="a",
-            mistakes=[
-                mistake(
-                    "The push itself points to the axis and turns nothing. What does?",
-                    wrong("D = N*R", D=D, N=N),
-                ),
-                mistake("The arm is the radius.", wrong("D = 2*mu*N*R", D=D, N=N)),
-            ],
-        ),
-        step(I, "A solid disc about its axis.", law("Moment of inertia of a disc", "I = M*R^2/2", I=I)),
-        step(alpha, "The torque slows the disc down.", angular_second_law(D, I=I, alpha=alpha)),
-        step(
-            t,
-            "The angular velocity falls steadily to zero.",
-            law("Angular velocity", "n = alpha*t"),
-            answers="b",
-            mistakes=[
-                mistake("The mass of a disc does not all sit on its rim.", wrong("n = D/(M*R^2)*t", D=D)),
-                mistake("It must lose all of its angular velocity: you halved it.", wrong("n/2 = alpha*t")),
-                mistake("A rotation is more than a radian.", wrong("n/(2*pi) = alpha*t")),
-            ],
-        ),
-        step(
-            Q,
-            "All the kinetic energy becomes heat.",
-            law("Kinetic energy of rotation", "Q = I*n^2/2", Q=Q, I=I),
-            answers="c",
-            mistakes=[
-                mistake("The factor 1/2 of the kinetic energy is missing.", wrong("Q = I*n^2", Q=Q, I=I)),
-                mistake(
-                    "The push points to the axis and does no work. Which force rubs along the rim?",
-                    wrong("Q = N*R*n*t/2", Q=Q, N=N),
-                ),
-            ],
-            check="Neither the push nor the friction matters for the heat, only for the time.",
-        ),
-    )
 
 
 def scene(M, R, n, N, mu, answer):
