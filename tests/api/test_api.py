@@ -77,11 +77,11 @@ def test_a_part_that_students_see_with_another_letter_is_named_with_both() -> No
 def test_a_bank_of_ones_own_is_solved_from_its_own_solutions(tmp_path: Path) -> None:
     """Also where a topic is called `problems`."""
     chapter = corollary.load_bank()
-    for kind, suffix in (("problems", ".md"), ("solutions", ".py")):
+    for kind in ("problems", "solutions"):
         folder = tmp_path / kind / "problems"
         folder.mkdir(parents=True)
-        shutil.copy(chapter.folder / kind / "impulse" / f"kicking_a_ball{suffix}", folder)
-    solution = tmp_path / "solutions" / "problems" / "kicking_a_ball.py"
+        shutil.copy(chapter.folder / kind / "impulse" / "kicking_a_ball.md", folder)
+    solution = tmp_path / "solutions" / "problems" / "kicking_a_ball.md"
     bank = corollary.load_bank(tmp_path)
     assert [problem.code for problem in bank] == ["X12.5"]
     assert len(bank) == 1

@@ -124,7 +124,7 @@ def test_a_set_that_was_generated_before_comes_from_the_bank_it_came_from(
         "--json",
     ]
     bank = tmp_path / "bank"
-    for kind, name in (("problems", "kicking_a_ball.md"), ("solutions", "kicking_a_ball.py")):
+    for kind, name in (("problems", "kicking_a_ball.md"), ("solutions", "kicking_a_ball.md")):
         (bank / kind / "impulse").mkdir(parents=True)
         shutil.copy(Path(__file__).parents[2] / kind / "impulse" / name, bank / kind / "impulse")
     (bank / "problems" / "sets").mkdir()

@@ -56,7 +56,7 @@ def test_a_copy_takes_its_programs_along(said, tmp_path):
     problem, model = bank["Q2"], chapter["P12.14"]
     beside = chapter.solution(model).with_suffix("")
     assert files(bank.solution(problem).with_suffix("")).keys() >= {path.name for path in beside.glob("*.py")}
-    assert f'"{model.name}/' not in bank.solution(problem).read_text(encoding="utf-8")
+    assert f"`{model.name}/" not in bank.solution(problem).read_text(encoding="utf-8")
     assert problem.source == "after P12.14"
     assert problem.parts[0].text == model.parts[0].text
 

@@ -7,7 +7,7 @@ from click.testing import CliRunner
 
 from corollary.cli.commands import app
 
-ONE_OF_TWO = '                mistake("That is the time for the way back.", wrong("w = d/t")),\n'
+ONE_OF_TWO = "- mistake: That is the time for the way back. `w = d/t`\n"
 
 
 @pytest.fixture
@@ -16,7 +16,7 @@ def verify(tmp_path):
     assert CliRunner().invoke(app, ["new", "Q1", "ride", "--bank", bank]).exit_code == 0
 
     def run(*options: str, old: str = "", new: str = ""):
-        path = tmp_path / "mine" / "solutions" / "exercises" / "ride.py"
+        path = tmp_path / "mine" / "solutions" / "exercises" / "ride.md"
         text = path.read_text(encoding="utf-8")
         assert old in text
         path.write_text(text.replace(old, new, 1), encoding="utf-8")
@@ -35,7 +35,7 @@ def test_complaints_begin_with_their_place_and_the_verdict_names_the_problem(ver
     done = verify(old="v = d/t", new="v = d*t")
     assert done.exit_code == 1
     complaints = [line for line in done.stderr.splitlines() if line]
-    assert complaints[0].startswith("ride.py:10: part a: the answer is not in s")
+    assert complaints[0].startswith("ride.md:3: part a: the answer is not in s")
     assert done.stdout.splitlines()[-1] == "1 of 1 problem with complaints: Q1"
 
 
@@ -46,12 +46,12 @@ def test_notes_on_several_problems_are_counted_and_shown_where_they_are_asked_fo
     assert done.exit_code == 0
     assert done.stderr.split("\n\n")[-1].strip() == "1 note, no fault (Q1): --verbose shows them"
     shown = verify("Q2", "--verbose")
-    assert "notes on Q1:\n  ride.py:" in shown.stderr
+    assert "notes on Q1:\n  ride.md:" in shown.stderr
     assert "--verbose" not in shown.stderr
     assert shown.stdout.splitlines()[-1] == "all hold"
 
 
 def test_notes_on_one_problem_are_shown(verify):
     done = verify(old=ONE_OF_TWO)
-    assert "notes on Q1:\n  ride.py:" in done.stderr
+    assert "notes on Q1:\n  ride.md:" in done.stderr
     assert done.stdout.splitlines()[-1] == "all hold"

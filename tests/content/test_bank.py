@@ -49,22 +49,26 @@ def test_every_file_of_the_solutions_is_used() -> None:
     solutions = {BANK.solution(problem) for problem in PROBLEMS}
     used = {path for problem in PROBLEMS for path in sources(BANK, problem)}
     scenes = set((folder / "scenes").glob("*.py"))
-    assert used | scenes == set(folder.rglob("*.py"))
+    assert used | scenes == {*folder.rglob("*.py"), *folder.rglob("*.md")}
     assert {path.stem for path in scenes - used} <= set(ready_scenes(BANK))
     used -= scenes
-    programs = {path for path in used - solutions if path.parent.with_suffix(".py") in solutions}
+    beside = {path for path in used - solutions if path.with_suffix(".md") in solutions}  # scenes
+    used -= beside
+    stems = {path.with_suffix("") for path in solutions}
+    programs = {path for path in used - solutions if path.parent in stems}
     assert {path.name for path in used - solutions - programs} == {"two_bodies.py"}  # two exercises share it
     shown = {path for path in programs if not path.name.startswith("judge_")}
     assert len(shown) >= 13
     for path in shown:
-        solution = path.parent.with_suffix(".py").read_text(encoding="utf-8")
-        assert f'file("{path.parent.name}/{path.name}")' in solution
+        (solution,) = (each for each in solutions if each.with_suffix("") == path.parent)
+        shown_as = f"example: `{path.parent.name}/{path.name}`", f'file("{path.parent.name}/{path.name}")'
+        assert any(words in solution.read_text(encoding="utf-8") for words in shown_as)
 
 
 def test_solutions_import_what_authors_import() -> None:
     """The words of an author and the laws; else only libraries."""
-    for problem in PROBLEMS:
-        tree = ast.parse(BANK.solution(problem).read_text(encoding="utf-8"))
+    for path in {BANK.solution(problem).with_suffix(".py") for problem in PROBLEMS}:
+        tree = ast.parse(path.read_text(encoding="utf-8") if path.is_file() else "")
         names = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
         names |= {
             alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names

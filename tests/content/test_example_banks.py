@@ -106,10 +106,8 @@ def test_there_are_sixty_problems_of_eleven_topics():
     assert len(texts) >= 60
     assert len({path.parent.name for path in texts}) >= 11
     for path, text in texts.items():
-        solution = Path(str(path.with_suffix(".py")).replace("/problems/", "/solutions/")).read_text(
-            encoding="utf-8"
-        )
-        assert solution.count("mistake(") >= 2, path
+        solution = Path(str(path).replace("/problems/", "/solutions/")).read_text(encoding="utf-8")
+        assert solution.count("- mistake:") >= 2, path
         assert re.search(r"^difficulty: [1-5]$", text, re.MULTILINE), path
         assert re.search(r"^tags: \[.+\]$", text, re.MULTILINE), path
     every = [code for bank in BANKS for code in codes(bank)]

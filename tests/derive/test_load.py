@@ -51,7 +51,7 @@ def test_a_word_is_no_argument(refused):
 def test_a_missing_solution(make, tmp_path):
     make("")
     (tmp_path / "solutions" / "carts" / "cart.py").unlink()
-    with pytest.raises(NotDerivable, match=r"cart\.py: is missing; cart\.md needs a solution there"):
+    with pytest.raises(NotDerivable, match=r"cart\.md: is missing; cart\.md needs a solution there"):
         load(Bank(tmp_path), read_problem(tmp_path / "problems" / "carts" / "cart.md"))
 
 

@@ -156,9 +156,9 @@ FAULTS = [
     ("raising", "raising.py:7: derive fails: ZeroDivisionError"),
     ("too_few", "too_few.py:8: part a: 1 law for 2 unknowns"),
     ("too_many", "too_many.py:8: part a: 2 laws for 1 unknown: no p satisfies them all"),
-    ("two_roots", "say which, with where= or reject="),
+    ("two_roots", "say which, with where or reject"),
     ("partless", "partless.py:6: answers no part a; each part of partless.md needs an entry"),
-    ("unsolved", "unsolved.py: is missing; unsolved.md needs a solution there"),
+    ("unsolved", "unsolved.md: is missing; unsolved.md needs a solution there"),
 ]
 
 

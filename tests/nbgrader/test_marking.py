@@ -86,16 +86,17 @@ def test_a_part_that_was_taken_out_since_is_marked_as_it_was_handed_out(
     marked_course: Course, tmp_path: Path
 ) -> None:
     bank, chapter = tmp_path / "bank", chapter_bank().folder
-    for file in ("problems/collisions/stopping_a_ball.md", "solutions/collisions/stopping_a_ball.py"):
+    for file in ("problems/collisions/stopping_a_ball.md", "solutions/collisions/stopping_a_ball.md"):
         (bank / file).parent.mkdir(parents=True)
         shutil.copy(chapter / file, bank / file)
     problem = bank / "problems/collisions/stopping_a_ball.md"
     text = problem.read_text(encoding="utf-8")
     problem.write_text(text[: text.index("## Explain")], encoding="utf-8")
-    solution = bank / "solutions/collisions/stopping_a_ball.py"
+    solution = bank / "solutions/collisions/stopping_a_ball.md"
     text = solution.read_text(encoding="utf-8")
-    before, _, rest = text.partition("        explain(\n")
-    solution.write_text(before + rest[rest.index("    )\n\n\ndef scene") :], encoding="utf-8")
+    before, heading, rest = text.partition("## (c)\n")
+    assert "rubric:" in rest and "## " not in rest
+    solution.write_text(before, encoding="utf-8")
     origin = marked_course.folder / ".corollary/origin/words.json"
     origin.write_text(json.dumps(json.loads(origin.read_text()) | {"bank": str(bank)}))
     done = grade(marked_course, "--yes")

@@ -28,7 +28,7 @@ FILE = "problems/collisions/stopping_a_ball.md"
 def bank(marked_course: Course, tmp_path: Path) -> Path:
     """The problem in a bank of the course's own; all of ada's 2 points for her explanation, 1.5 of them for ben's."""
     bank, chapter = tmp_path / "bank", chapter_bank().folder
-    for file in (FILE, "solutions/collisions/stopping_a_ball.py"):
+    for file in (FILE, "solutions/collisions/stopping_a_ball.md"):
         (bank / file).parent.mkdir(parents=True)
         shutil.copy(chapter / file, bank / file)
     origin = marked_course.folder / ".corollary/origin/words.json"

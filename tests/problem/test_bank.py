@@ -44,7 +44,7 @@ def test_found_by_path(bank, tmp_path, monkeypatch):
     monkeypatch.chdir(path.parent)
     place, problem = home(None, "cart.md")
     assert problem.code == "X1.2"
-    assert place.solution(problem) == tmp_path / "solutions" / "carts" / "cart.py"
+    assert place.solution(problem) == tmp_path / "solutions" / "carts" / "cart.md"
 
 
 def test_a_code_that_begins_like_another(bank):
@@ -128,8 +128,8 @@ def other(tmp_path) -> Path:
 def test_several_banks_are_one(bank, other):
     both = open_bank(Path(os.pathsep.join((str(bank.folder), str(other)))))
     assert [problem.code for problem in load(both)] == ["X1.2", "X1.10", "X9.1"]
-    assert both.solution(find(both, "kettle")) == other / "solutions" / "heat" / "kettle.py"
-    assert both.solution(find(both, "cart")) == bank.folder / "solutions" / "carts" / "cart.py"
+    assert both.solution(find(both, "kettle")) == other / "solutions" / "heat" / "kettle.md"
+    assert both.solution(find(both, "cart")) == bank.folder / "solutions" / "carts" / "cart.md"
     assert find(both, str(other / "problems" / "heat" / "kettle.md")).code == "X9.1"
     assert [problem.code for problem in find_set(both, "warm").problems] == ["X9.1", "X1.2"]
     assert open_bank(Path(both.place)) == both

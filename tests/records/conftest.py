@@ -45,7 +45,7 @@ class Kicks:
         (file or self.file).write_text(text)
 
     def edit_solution(self, *pairs: tuple[str, str]) -> None:
-        self.edit(*pairs, file=self.bank.folder / "solutions" / "impulse" / "kicking_a_ball.py")
+        self.edit(*pairs, file=self.bank.folder / "solutions" / "impulse" / "kicking_a_ball.md")
 
     def generate(self, *students: str, folder: Path | None = None) -> Generated:
         roster = [Student(each) for each in students or ("ada", "ben", "cyd")]
@@ -55,7 +55,7 @@ class Kicks:
 @pytest.fixture
 def kicks(tmp_path: Path) -> Kicks:
     bank = tmp_path / "bank"
-    for step, name in (("problems", "kicking_a_ball.md"), ("solutions", "kicking_a_ball.py")):
+    for step, name in (("problems", "kicking_a_ball.md"), ("solutions", "kicking_a_ball.md")):
         (bank / step / "impulse").mkdir(parents=True)
         shutil.copy(chapter_bank().folder / step / "impulse" / name, bank / step / "impulse")
     (bank / "problems" / "sets").mkdir()

@@ -146,7 +146,7 @@ def test_who_left_the_roster_is_remembered(kicks: Kicks) -> None:
 def test_a_problem_added_to_the_set_is_only_for_newcomers_and_one_removed_is_not_marked(kicks: Kicks) -> None:
     kicks.generate("ada")
     kicks.edit(("- X12.5\n", "- X12.5\n"), file=kicks.set_file)
-    for step, name in (("problems", "stopping_a_car.md"), ("solutions", "stopping_a_car.py")):
+    for step, name in (("problems", "stopping_a_car.md"), ("solutions", "stopping_a_car.md")):
         import shutil
 
         from corollary.problem.bank import chapter_bank

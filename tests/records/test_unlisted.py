@@ -53,7 +53,7 @@ def test_a_shared_rule_is_named_with_those_who_used_it(solution: Solution) -> No
     shown = console.export_text()
     assert "4 of 8 wrong answers that nobody listed" in shown
     assert "students: s0, s1, s2, s3" in shown
-    assert 'wrong("dp_r = m*(v - w)")' in shown
+    assert "`dp_r = m*(v - w)`" in shown
 
 
 def test_what_two_students_share_is_not_offered_nor_what_all_numbers_would_give(solution: Solution) -> None:
@@ -65,9 +65,10 @@ def test_what_two_students_share_is_not_offered_nor_what_all_numbers_would_give(
 
 def test_the_drafted_line_makes_a_misconception_of_it(kicks, solution: Solution) -> None:
     (offer,) = shared_rules(solution, "X12.5", "d", drawn(30, 4))
-    file = kicks.bank.folder / "solutions" / "impulse" / "kicking_a_ball.py"
-    head, step, rest = file.read_text().partition("            dp_r,")
-    file.write_text(head + step + rest.replace("mistakes=[", f"mistakes=[{offer.rules[0].draft}, ", 1))
+    file = kicks.bank.folder / "solutions" / "impulse" / "kicking_a_ball.md"
+    head, step, rest = file.read_text().partition("## dp_r\n")
+    assert step
+    file.write_text(head + step + rest.replace("- mistake:", f"{offer.rules[0].draft}\n- mistake:", 1))
     listed = Solutions(kicks.bank).of(kicks.problem_set.problems[0])
     texts = [wrong.text for find in listed.unknowns if find.names == ("dp_r",) for wrong in find.mistakes]
     assert offer.rules[0].message in texts

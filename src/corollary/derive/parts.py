@@ -83,7 +83,7 @@ def _unfit(problem: Problem, entry: Entry, name: str) -> Iterator[str]:
             else "one number"
         )
         found = ", ".join(map(str, entry.unknowns))
-        aside = "; what the laws need besides goes into also=[…]" if len(entry.unknowns) > 1 else ""
+        aside = "; what the laws need besides goes into also" if len(entry.unknowns) > 1 else ""
         yield f"part {name} asks for {numbers}, but {found} is found{aside}"
 
 

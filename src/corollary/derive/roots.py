@@ -177,8 +177,8 @@ def pick(
         fits_at = [point for point, fit in zip(points, fits, strict=True) if fit]
         if fits_at and not any(_is(root, other, fits_at) for other in fitting):
             raise NoRoot(
-                f"where={where} holds for {_equations(root)} at some values of the givens and fails at others; "
-                "use a condition that selects one root for all of them (a mistake may have its own where=)"
+                f"where: {where} holds for {_equations(root)} at some values of the givens and fails at others; "
+                "use a condition that selects one root for all of them (a mistake may have its own where)"
             )
         if (formula := _formula(root)) is not None:
             holes = (("root", formula), ("condition", f"${_condition(where)}$"))
@@ -188,7 +188,7 @@ def pick(
         raise NoRoot(f"no root is left: {'; '.join(why)}")
     if len(fitting) > 1:
         raise NoRoot(
-            f"{len(fitting)} answers ({'; '.join(_equations(root) for root in fitting)}): say which, with where= or reject="
+            f"{len(fitting)} answers ({'; '.join(_equations(root) for root in fitting)}): say which, with where or reject"
         )
     if any(value.has(sympy.I) for value in fitting[0].values()):
         raise NoRoot(
@@ -240,7 +240,7 @@ def _holds(where: sympy.Basic, root: Root, point: Point) -> bool:
         if (truth := _truth(relational, root, there)) is not None
     }
     rest = where.xreplace(truths)
-    return _decided(substitute(substitute(rest, numbers), point.values), f"where={where}")
+    return _decided(substitute(substitute(rest, numbers), point.values), f"where: {where}")
 
 
 def _truth(relational: Any, root: Root, there: Point) -> sympy.Basic | None:
@@ -314,7 +314,7 @@ def exchanged(laws: tuple[Law, ...], mistake: Mistake[Exchange]) -> tuple[Law, .
         places = [place for place, name in enumerate(names) if name in wanted]
     if len(places) != max(1, len(instead)):
         raise NoRoot(
-            f"say which law it takes the place of, instead= one of {', '.join(names)}, or a list of them"
+            f"say which law it takes the place of, instead of one of {', '.join(names)}, or a list of them"
         )
     others = [stated for place, stated in enumerate(laws) if place not in places]
     return (*others[: places[0]], *wrong, *others[places[0] :])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -120,15 +119,15 @@ def _changes_of_step(solution: Solution, step: Unknown, trees: tuple[Expr, ...])
 
 def _rule(step: Unknown, change: OneChange, trees: tuple[Expr, ...]) -> UnlistedRule:
     equations = [f"{name} = {text(tree)}" for name, tree in zip(step.names, change.trees, strict=True)]
-    stated = ", ".join(f"wrong({json.dumps(each)})" for each in equations)
-    draft = f"mistake({json.dumps(change.message)}, {stated}{_instead(step.laws)})"
+    stated = ", ".join(f"`{each}`" for each in equations)
+    draft = f"- mistake: {change.message} {stated}{_instead(step.laws)}"
     words = f"{change.words} in {', '.join(step.names)}"
     return UnlistedRule(words, "; ".join(equations), change.message, draft, trees)
 
 
 def _instead(laws: Sequence[AppliedLaw]) -> str:
-    given = [law.name for law in laws]
-    return f", instead={json.dumps(given)}" if len(given) > 1 else ""
+    given = [f'"{law.name}"' for law in laws]
+    return f" instead of {' and '.join(given)}" if len(given) > 1 else ""
 
 
 def changes(trees: tuple[Expr, ...], alike: Letters, measured: Sequence[str]) -> list[OneChange]:
