@@ -384,7 +384,7 @@ def test_a_choice_knows_what_laws_needed_besides(solved, refused):
 @pytest.mark.parametrize(
     ("body", "words"),
     [
-        ('step((p, q), "?", law("A", "p = q"), law("B", "q = m*v"), answers="a")', r"goes into also=\[…\]"),
+        ('step((p, q), "?", law("A", "p = q"), law("B", "q = m*v"), answers="a")', r"goes into also"),
         (
             'step(p, "?", law("A", "p^2 = -m*m*v*v"), answers="a")',
             "no p satisfies|is not real for every value",

@@ -21,16 +21,16 @@ class MarkdownError(ValueError):
 
 
 @dataclass(slots=True)
-class Item:
+class ListItem:
     """An item of a list, with the items below it. `key` is the word before its colon, "" where there is none."""
 
     text: str
     line: int
     indent: int = 0
-    items: list[Item] = field(default_factory=list["Item"])
+    items: list[ListItem] = field(default_factory=list["ListItem"])
     key: str = ""
 
-    def values(self, key: str) -> list[Item]:
+    def values(self, key: str) -> list[ListItem]:
         """The items below it with this key."""
         return [each for each in self.items if each.key == key]
 
@@ -43,14 +43,14 @@ class Section:
     title: str
     line: int
     paragraph: str = ""
-    items: list[Item] = field(default_factory=list[Item])
+    items: list[ListItem] = field(default_factory=list[ListItem])
 
 
 def sections(text: str) -> list[Section]:
     """The sections of a text, in order. Lines that go on are joined by blanks; comments are left out."""
     without = COMMENT.sub(lambda found: "\n" * found[0].count("\n"), text.lstrip("\ufeff"))
     found = [Section(0, "", 1)]
-    path: list[Item] = []  # the item that the next line may go on with, and those above it
+    path: list[ListItem] = []  # the item that the next line may go on with, and those above it
     gap = False
     for line, content in enumerate(without.splitlines(), 1):
         section = found[-1]
@@ -63,7 +63,7 @@ def sections(text: str) -> list[Section]:
             indent = len(bullet[1].expandtabs(4))
             while path and path[-1].indent >= indent:
                 path.pop()
-            item = Item(bullet[2], line, indent)
+            item = ListItem(bullet[2], line, indent)
             (path[-1].items if path else section.items).append(item)
             path.append(item)
         elif path and not (gap and content[0] not in " \t"):
@@ -79,7 +79,7 @@ def sections(text: str) -> list[Section]:
     return found
 
 
-def _all(items: list[Item]) -> Iterator[Item]:
+def _all(items: list[ListItem]) -> Iterator[ListItem]:
     for item in items:
         yield item
         yield from _all(item.items)

@@ -14,7 +14,18 @@ import sympy
 from corollary.derive.beside import LazyModule, program_text
 from corollary.derive.derivation import Always, Branch, Case, Cases, Entry, Limit, Special, branches
 from corollary.derive.formula_text import LetterTable, is_call, parted
-from corollary.derive.markdown_items import Item, MarkdownError, Section, sections
+from corollary.derive.item_clauses import (
+    QUOTED,
+    clauses_of,
+    first_item,
+    formula_and_words,
+    formula_of,
+    named_below,
+    one_formula,
+    only_text,
+    refuse_others,
+)
+from corollary.derive.markdown_items import ListItem, MarkdownError, Section, sections
 from corollary.derive.stated_words import function, unknowns, variable
 from corollary.derive.statements import (
     Acting,
@@ -47,11 +58,9 @@ TITLE = re.compile(r"(?:\((?P<part>\w+)\)\s*)?(?P<letters>[^:]*?)(?::\s*(?P<mean
 LETTERS = re.compile(r"[A-Za-z]\w*(?:\s*,\s*[A-Za-z]\w*)*$")
 CASE = re.compile(r"[Cc]ase:?\s+(?P<text>.*?),?\s+(?:if|when)\s+`(?P<condition>[^`]+)`$")
 CHECKS = "Checks"
-QUOTED = re.compile(r"`([^`]*)`")
 OPTION = re.compile(
     r"\((?P<option>\w+)\)\s+is\s+(?P<right>right|wrong)(?:\s+if\s+`(?P<condition>[^`]+)`)?(?::\s+(?P<text>.*))?$"
 )
-CLAUSES = ("law", "with", "where", "instead of")
 CLAIMS = ("at", "limit", "always", "confirm", "printed")
 STEP = ("law", "also", "where", "reject", "mistake", "route", "check", "scale", "letter")
 ALLOWED: Mapping[str, tuple[str, ...]] = {
@@ -78,7 +87,7 @@ def read_solution(text: str, givens: Mapping[str, sympy.Symbol], folder: Path) -
 
     To be read within `own_letters`. Raises MarkdownError.
     """
-    return _Reader(givens, folder).derivation(sections(text))
+    return SolutionReader(givens, folder).derivation(sections(text))
 
 
 @contextmanager
@@ -106,7 +115,7 @@ def _kind(section: Section, part: str, letters: Sequence[str]) -> str:
     return "choice" if part else "checks"
 
 
-class _Reader:
+class SolutionReader:
     def __init__(self, givens: Mapping[str, sympy.Symbol], folder: Path) -> None:
         self.table = LetterTable(givens)
         self.givens, self.folder = givens, folder
@@ -163,7 +172,7 @@ class _Reader:
     def _declarations(self, section: Section) -> None:
         for item in section.items:
             with _at(item.line):
-                letters, meaning = _with_sentence(item)
+                letters, meaning = formula_and_words(item)
                 match item.key:
                     case "letter":
                         self._vector([each.strip() for each in parted(letters)], meaning)
@@ -212,10 +221,10 @@ class _Reader:
         for item in section.items:
             with _at(item.line):
                 if item.key == "letter":
-                    letters, words = _with_sentence(item)
+                    letters, words = formula_and_words(item)
                     self._vector([each.strip() for each in parted(letters)], words)
                 elif item.key == "also":
-                    letters = [each.strip() for each in parted(_formula(item))]
+                    letters = [each.strip() for each in parted(formula_of(item))]
                     self._vector([each for each in letters if each not in self.table.meanings])
 
     def _title(self, section: Section) -> tuple[str, list[str], str]:
@@ -251,7 +260,7 @@ class _Reader:
         for item in section.items:
             if item.key in CLAIMS:
                 with _at(item.line):
-                    claim: Callable[[Item], Entry] = getattr(self, f"_{item.key}")
+                    claim: Callable[[ListItem], Entry] = getattr(self, f"_{item.key}")
                     found.append(claim(item))
         return found
 
@@ -276,22 +285,22 @@ class _Reader:
         for item in section.items:
             if item.key == key:
                 with _at(item.line):
-                    found.append(_formula(item))
+                    found.append(formula_of(item))
         return found
 
-    def _laws(self, items: Iterable[Item], key: str = "law", *, named: bool = True) -> tuple[Law, ...]:
+    def _laws(self, items: Iterable[ListItem], key: str = "law", *, named: bool = True) -> tuple[Law, ...]:
         return tuple(self._law(item, named) for item in items if item.key == key)
 
-    def _law(self, item: Item, named: bool) -> Law:
+    def _law(self, item: ListItem, named: bool) -> Law:
         with _at(item.line):
-            name, clauses = _clauses(item)
-            _only(clauses, "law", "with")
-            words = {key: _one(item.values(key)) for key in ("source", "holds") if item.values(key)}
+            name, clauses = clauses_of(item)
+            refuse_others(clauses, "law", "with")
+            words = {key: only_text(item.values(key)) for key in ("source", "holds") if item.values(key)}
             below = [each for each in item.items if each.key not in ("source", "holds", "with")]
             if below:
                 raise MarkdownError(below[0].line, "below a law stand with:, holds: and source: only")
-            letters = [*clauses["with"], *(_formula(each) for each in item.values("with"))]
-            formula = _single(clauses["law"], "law", "Momentum, `p = m*v`")
+            letters = [*clauses["with"], *(formula_of(each) for each in item.values("with"))]
+            formula = one_formula(clauses["law"], "law", "Momentum, `p = m*v`")
             if named and not name and not is_call(formula):
                 raise ValueError(f"name the law before its formula: Momentum, `{formula}`")
             return self.table.law(name, formula, ", ".join(letters), **words)
@@ -301,7 +310,7 @@ class _Reader:
         for item in section.items:
             if item.key == "where":
                 with _at(item.line):
-                    conditions.append(self.table.condition(_formula(item)))
+                    conditions.append(self.table.condition(formula_of(item)))
         return sympy.And(*conditions) if len(conditions) > 1 else conditions[0] if conditions else True
 
     def _step(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Step:
@@ -320,14 +329,14 @@ class _Reader:
         for item in section.items:
             with _at(item.line):
                 if item.key == "reject":
-                    formula, reason = _with_sentence(item)
+                    formula, reason = formula_and_words(item)
                     roots = {
                         self.table.symbol(name): root for name, root in self.table.equations(formula).items()
                     }
                     rejected.append(Rejected(reason, roots))  # type: ignore[arg-type]
                 elif item.key == "route":
-                    because, clauses = _clauses(item)
-                    _only(clauses, "law")
+                    because, clauses = clauses_of(item)
+                    refuse_others(clauses, "law")
                     called = tuple(self.table.law("", each) for each in clauses["law"])
                     routes.append(Route(because, called + self._laws(item.items), item.line))
         where = self._where(section)
@@ -347,14 +356,14 @@ class _Reader:
         names = {law.name for law in laws}
         return tuple(self._mistake(item, names) for item in section.items if item.key == "mistake")
 
-    def _mistake(self, item: Item, names: Collection[str] = ()) -> Mistake[Exchange]:
+    def _mistake(self, item: ListItem, names: Collection[str] = ()) -> Mistake[Exchange]:
         """`names` are those of the step's laws: a law of that name takes its place."""
         with _at(item.line):
-            text, clauses = _clauses(item)
-            where = [*clauses["where"], *(_formula(each) for each in item.values("where"))]
+            text, clauses = clauses_of(item)
+            where = [*clauses["where"], *(formula_of(each) for each in item.values("where"))]
             below = (each.text.strip('"') for each in item.values("instead of"))
             instead = (*clauses["instead of"], *below)
-            which = self.table.condition(_single(where, "condition", "v > 0")) if where else None
+            which = self.table.condition(one_formula(where, "condition", "v > 0")) if where else None
             nested = self._laws(item.items, named=False)
             if not instead and nested and all(law.name in names for law in nested):
                 instead = tuple(dict.fromkeys(law.name for law in nested))
@@ -369,7 +378,7 @@ class _Reader:
                         found.rule.where if which is None else which,
                     )
                     return Mistake(text or found.text, rule, item.line)
-            letters = ", ".join([*clauses["with"], *(_formula(each) for each in item.values("with"))])
+            letters = ", ".join([*clauses["with"], *(formula_of(each) for each in item.values("with"))])
             laws = tuple(
                 self.table.law("", formula, "" if is_call(formula) else letters) for formula in formulas
             )
@@ -382,7 +391,7 @@ class _Reader:
             return Mistake(text, Exchange(laws + nested, instead, which), item.line)
 
     def _optimum(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Optimum:
-        item = _first(section, "optimum")
+        item = first_item(section, "optimum")
         with _at(item.line):
             found = re.fullmatch(
                 r"`([^`]+)` is (largest|smallest) for `([^`]+)` from `([^`]+)` to `([^`]+)`", item.text
@@ -398,12 +407,12 @@ class _Reader:
     def _simulated(
         self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]
     ) -> Simulated:
-        item = _first(section, "simulated")
+        item = first_item(section, "simulated")
         with _at(item.line):
             quoted = QUOTED.findall(item.text)
             if len(quoted) != 2:
                 raise ValueError("name the scene and what is observed in it, as in `cradle`, `velocities`")
-            settings = [each for below in item.values("with") for each in parted(_formula(below))]
+            settings = [each for below in item.values("with") for each in parted(formula_of(below))]
             formulas = {
                 name: value for each in settings for name, value in self.table.equations(each).items()
             }
@@ -412,7 +421,7 @@ class _Reader:
     def _example(
         self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]
     ) -> Example[sympy.Symbol, sympy.Expr, Law]:
-        item = _first(section, "example")
+        item = first_item(section, "example")
         apart: list[tuple[tuple[sympy.Expr, ...], str]] = []
         with _at(item.line):
             found = re.fullmatch(r"(?:(\d+) free)?", item.text)
@@ -424,14 +433,14 @@ class _Reader:
         for each in section.items:
             if each.key == "apart":
                 with _at(each.line):
-                    formula, why = _with_sentence(each)
+                    formula, why = formula_and_words(each)
                     apart.append((tuple(map(self.table.expression, parted(formula))), why))
         return Example(statement, names, self._laws(section.items), tuple(apart), int(found[1] or 1), scale)
 
     def _neglected(
         self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]
     ) -> Neglected[Step, Supposed]:
-        item = _first(section, "neglected")
+        item = first_item(section, "neglected")
         with _at(item.line):
             what, asked = re.subn(r",? as asked$", "", item.text)
             supposed = [each.strip() for text in self._texts(section, "supposing") for each in parted(text)]
@@ -455,7 +464,7 @@ class _Reader:
                     wrong = self._mistake(item)
                     mistakes.append(Mistake(wrong.text, wrong.rule.laws, wrong.line))
                 elif item.key == "rate":
-                    for name, rate in self.table.equations(_formula(item)).items():
+                    for name, rate in self.table.equations(formula_of(item)).items():
                         rates.append((self.table.symbol(name).name, rate))  # type: ignore[arg-type]
         return Proof(
             statement,
@@ -517,30 +526,34 @@ class _Reader:
         return Explain(replace(statement, because=""), rubric, statement.because)
 
     def _code(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Code:
-        item = _first(section, "code")
+        item = first_item(section, "code")
         with _at(item.line):
-            judges = LazyModule(self.folder / _formula(item), self.folder)
-            inputs = getattr(judges, _name(item, "inputs")) if item.values("inputs") else _without_arguments
+            judges = LazyModule(self.folder / formula_of(item), self.folder)
+            inputs = (
+                getattr(judges, named_below(item, "inputs")) if item.values("inputs") else _without_arguments
+            )
             judge, example = (
-                getattr(judges, _name(item, "judge")),
-                program_text(self.folder / _name(item, "example")),
+                getattr(judges, named_below(item, "judge")),
+                program_text(self.folder / named_below(item, "example")),
             )
             return Code(statement, inputs, judge, example)
 
     def _plot(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Plot:
-        item = _first(section, "plot")
+        item = first_item(section, "plot")
         with _at(item.line):
-            judge = getattr(LazyModule(self.folder / _formula(item), self.folder), _name(item, "judge"))
-            example = program_text(self.folder / _name(item, "example"))
+            judge = getattr(
+                LazyModule(self.folder / formula_of(item), self.folder), named_below(item, "judge")
+            )
+            example = program_text(self.folder / named_below(item, "example"))
             return Plot(statement, judge, example, bool(item.values("with calls")))
 
     # claims
 
-    def _at(self, item: Item) -> Special:
-        formula, because = _with_sentence(item)
+    def _at(self, item: ListItem) -> Special:
+        formula, because = formula_and_words(item)
         return Special(Statement("", because, item.line), self.table.equations(formula))  # type: ignore[arg-type]
 
-    def _limit(self, item: Item) -> Limit:
+    def _limit(self, item: ListItem) -> Limit:
         quoted = QUOTED.findall(item.text)
         pairs = [each.split("->") for each in quoted]
         if len(pairs) != 2 or any(len(pair) != 2 for pair in pairs):
@@ -550,102 +563,24 @@ class _Reader:
         of, equals, to = (self.table.expression(each) for each in (of, equals, to))
         return Limit(Statement("", because, item.line), of, self.table.symbol(letter), to, equals)
 
-    def _always(self, item: Item) -> Always:
-        condition, words = _with_sentence(item)
+    def _always(self, item: ListItem) -> Always:
+        condition, words = formula_and_words(item)
         return Always(Statement("", words, item.line), self.table.condition(condition))
 
-    def _confirm(self, item: Item) -> Confirm:
-        because, clauses = _clauses(item)
-        _only(clauses, "law")
+    def _confirm(self, item: ListItem) -> Confirm:
+        because, clauses = clauses_of(item)
+        refuse_others(clauses, "law")
         laws = tuple(self.table.law("", each) for each in clauses["law"]) + self._laws(item.items)
         return Confirm(Statement("", because, item.line), laws)
 
-    def _printed(self, item: Item) -> Printed:
+    def _printed(self, item: ListItem) -> Printed:
         found = re.fullmatch(r"\((\w+)\) `([^`]+)`(?:,? in (.*))?", item.text)
         if not found:
             raise ValueError("write it as in (a) `2.28 kg m/s` in (12.31)")
-        erratum = _one(item.values("erratum")) if item.values("erratum") else ""
+        erratum = only_text(item.values("erratum")) if item.values("erratum") else ""
         return Printed(Statement(found[1], "", item.line), found[2], found[3] or "", erratum)
 
 
 def _without_arguments(given: object, draw: object) -> list[dict[str, Any]]:
     """One call without arguments."""
     return [{}]
-
-
-def _first(section: Section, key: str) -> Item:
-    return next(item for item in section.items if item.key == key)
-
-
-def _one(items: Sequence[Item]) -> str:
-    if len(items) != 1:
-        raise MarkdownError(items[1].line, f"{items[1].key} stands here for the second time")
-    return items[0].text
-
-
-def _name(item: Item, key: str) -> str:
-    found = item.values(key)
-    if not found:
-        raise ValueError(f"say {key}: below it, with a name")
-    return _formula(found[0])
-
-
-def _formula(item: Item) -> str:
-    """What stands between backticks in an item that is nothing else."""
-    found = re.fullmatch(r"`([^`]+)`", item.text.strip())
-    if not found:
-        raise ValueError(f"write {item.key}: and a formula between backticks, `…`")
-    return found[1].strip()
-
-
-def _with_sentence(item: Item) -> tuple[str, str]:
-    """The formula between backticks of an item, and the words beside it."""
-    quoted = QUOTED.findall(item.text)
-    if len(quoted) != 1:
-        raise ValueError(
-            f"write {item.key}: with one formula between backticks, `…`, and words for the reader"
-        )
-    words = QUOTED.sub("", item.text).strip()
-    return quoted[0].strip(), words.removeprefix(":").removesuffix(",").strip()
-
-
-def _clauses(item: Item) -> tuple[str, dict[str, list[str]]]:
-    """The words of an item up to its first formula, and its formulas and names by the word before each: none for a law, `with`,
-    `where`, `instead of "…"`."""
-    words, mark, rest = item.text.partition("`")
-    found: dict[str, list[str]] = {clause: [] for clause in CLAUSES}
-    if not mark:
-        return words.strip(), found
-    rest, key = mark + rest, "law"
-    head = re.search(r'\s(instead of)\s+"[^"]+"[,\s]*$', words)
-    if head:
-        words, rest = words[: head.start()], words[head.start() :].strip() + " " + rest
-    for piece in re.finditer(
-        r'`(?P<formula>[^`]*)`|"(?P<name>[^"]+)"|(?P<word>with|where|instead of|and)\b|(?P<other>[^`"\s,;]+)',
-        rest,
-    ):
-        if piece["word"]:
-            key = key if piece["word"] == "and" else piece["word"]
-        elif piece["formula"] is not None:
-            found["law" if key == "instead of" else key].append(piece["formula"].strip())
-            key = "law" if key != "with" else key
-        elif piece["name"]:
-            found["instead of"].append(piece["name"])
-        else:
-            raise ValueError(
-                f"{piece['other']!r} stands behind a formula; the words for the reader come before it (formulas among them between $), "
-                'and behind it only with `…`, where `…`, instead of "…"'
-            )
-    return words.strip().removesuffix(",").strip(), found
-
-
-def _only(clauses: Mapping[str, Sequence[str]], *allowed: str) -> None:
-    for clause, found in clauses.items():
-        if found and clause not in allowed:
-            raise ValueError(f"{clause} has no place here")
-
-
-def _single(found: Sequence[str], what: str, such_as: str) -> str:
-    if len(found) != 1:
-        raise ValueError(f"write one {what} between backticks, such as {such_as}")
-    return found[0]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 
-from corollary.derive.markdown_items import Item, sections
+from corollary.derive.markdown_items import ListItem, sections
 from corollary.problem.parts_markdown import ATTRIBUTE, HEADING
 
 _RUBRIC_OF = "explain"  # of corollary.author: the part, the rubric, and what a full answer says
@@ -52,5 +52,5 @@ def _text_without_rubrics(source: bytes) -> bytes:
     return repr(found).encode()
 
 
-def _contents(items: list[Item]) -> list[object]:
+def _contents(items: list[ListItem]) -> list[object]:
     return [(item.key, item.text, _contents(item.items)) for item in items]

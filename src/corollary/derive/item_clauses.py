@@ -1,0 +1,89 @@
+"""An item of a solution in text, taken apart: the words for the reader, and behind them formulas, conditions and names."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from corollary.derive.markdown_items import ListItem, MarkdownError, Section
+
+QUOTED = re.compile(r"`([^`]*)`")
+CLAUSES = ("law", "with", "where", "instead of")
+
+
+def first_item(section: Section, key: str) -> ListItem:
+    return next(item for item in section.items if item.key == key)
+
+
+def only_text(items: Sequence[ListItem]) -> str:
+    if len(items) != 1:
+        raise MarkdownError(items[1].line, f"{items[1].key} stands here for the second time")
+    return items[0].text
+
+
+def named_below(item: ListItem, key: str) -> str:
+    found = item.values(key)
+    if not found:
+        raise ValueError(f"say {key}: below it, with a name")
+    return formula_of(found[0])
+
+
+def formula_of(item: ListItem) -> str:
+    """What stands between backticks in an item that is nothing else."""
+    found = re.fullmatch(r"`([^`]+)`", item.text.strip())
+    if not found:
+        raise ValueError(f"write {item.key}: and a formula between backticks, `…`")
+    return found[1].strip()
+
+
+def formula_and_words(item: ListItem) -> tuple[str, str]:
+    """The formula between backticks of an item, and the words beside it."""
+    quoted = QUOTED.findall(item.text)
+    if len(quoted) != 1:
+        raise ValueError(
+            f"write {item.key}: with one formula between backticks, `…`, and words for the reader"
+        )
+    words = QUOTED.sub("", item.text).strip()
+    return quoted[0].strip(), words.removeprefix(":").removesuffix(",").strip()
+
+
+def clauses_of(item: ListItem) -> tuple[str, dict[str, list[str]]]:
+    """The words of an item up to its first formula, and its formulas and names by the word before each: none for a law, `with`,
+    `where`, `instead of "…"`."""
+    words, mark, rest = item.text.partition("`")
+    found: dict[str, list[str]] = {clause: [] for clause in CLAUSES}
+    if not mark:
+        return words.strip(), found
+    rest, key = mark + rest, "law"
+    head = re.search(r'\s(instead of)\s+"[^"]+"[,\s]*$', words)
+    if head:
+        words, rest = words[: head.start()], words[head.start() :].strip() + " " + rest
+    for piece in re.finditer(
+        r'`(?P<formula>[^`]*)`|"(?P<name>[^"]+)"|(?P<word>with|where|instead of|and)\b|(?P<other>[^`"\s,;]+)',
+        rest,
+    ):
+        if piece["word"]:
+            key = key if piece["word"] == "and" else piece["word"]
+        elif piece["formula"] is not None:
+            found["law" if key == "instead of" else key].append(piece["formula"].strip())
+            key = "law" if key != "with" else key
+        elif piece["name"]:
+            found["instead of"].append(piece["name"])
+        else:
+            raise ValueError(
+                f"{piece['other']!r} stands behind a formula; the words for the reader come before it (formulas among them between $), "
+                'and behind it only with `…`, where `…`, instead of "…"'
+            )
+    return words.strip().removesuffix(",").strip(), found
+
+
+def refuse_others(clauses: Mapping[str, Sequence[str]], *allowed: str) -> None:
+    for clause, found in clauses.items():
+        if found and clause not in allowed:
+            raise ValueError(f"{clause} has no place here")
+
+
+def one_formula(found: Sequence[str], what: str, such_as: str) -> str:
+    if len(found) != 1:
+        raise ValueError(f"write one {what} between backticks, such as {such_as}")
+    return found[0]
