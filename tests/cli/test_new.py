@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,7 @@ from corollary.derive.statements import Code
 from corollary.grading.solutions import Solutions
 from corollary.messages import language
 from corollary.problem.bank import Bank, chapter_bank
+from corollary.problem.translation import in_language
 from corollary.programs import Called, Fault
 from corollary.verify.verify import verify
 
@@ -154,3 +156,27 @@ def test_where_no_bank_is_named(said, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path / "named")
     assert said("Q2", "mirror")[0] == 0
     assert (tmp_path / "named" / "problems" / "exercises" / "mirror.md").is_file()
+
+
+def test_a_translation_is_begun_with_every_text_and_verify_names_what_is_left(said, tmp_path):
+    assert said("Q1", "ride", "--bank", "mine")[0] == 0
+    status, out, _ = said("--translate", "Q1", "fr", "--bank", "mine")
+    path = tmp_path / "mine" / "problems" / "exercises" / "ride.fr.md"
+    assert (status, "ride.fr.md" in out) == (0, True)
+    bank = Bank(tmp_path / "mine")
+    left = [each for each in verify(bank, bank["Q1"], 5).complaints if each.startswith("ride.fr.md:")]
+    assert "ride.fr.md:1: the statement is still that of the original; translate it" in left
+    text = path.read_text(encoding="utf-8")
+    line = text.splitlines().index("> length of the way") + 1
+    assert f"ride.fr.md:{line}: nothing stands below > length of the way; translate it there" in left
+    with language("fr"):
+        assert in_language(bank["Q1"]).statement == bank["Q1"].statement
+    own = re.sub(r"^> .*$", lambda found: f"{found[0]}\nEn français.", text, flags=re.MULTILINE)
+    own = re.sub(r"^(You|How|What|Somebody) ", "Alors ", own, flags=re.MULTILINE).replace(
+        'alt: "A', 'alt: "Un'
+    )
+    path.write_text(own, encoding="utf-8")
+    assert verify(bank, bank["Q1"], 5).complaints == ()
+    status, _, err = said("--translate", "Q1", "fr", "--bank", "mine")
+    assert (status, "is there already" in err) == (2, True)
+    assert said("--translate", "Q1", "french", "--bank", "mine")[0] == 2

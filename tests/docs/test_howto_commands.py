@@ -64,6 +64,7 @@ NOT_RUN = {
     r"--ids ARCHIVE": "needs an archive from Canvas (tests/clients)",
     r"--template": "needs a gradebook from Canvas (tests/clients)",
     r"--to site": "needs npm and some minutes (tests/practice)",
+    r"--translate": "writes into the bank (tests/cli)",
     r"--check": "needs Coq (tests/verify)",
     r"--anew|kicking_a_ball$|verify --watch$": "verifies for minutes, or for ever",
     r"--watch|^practise|^preview|^mark (momentum_1|SET)$": "goes on until it is stopped",

@@ -162,7 +162,6 @@ def test_an_original_that_changed_since_is_named(problem: Problem):
 @pytest.mark.parametrize(
     ("lines", "sentence"),
     [
-        ("> at rest\n\n> wall\nWand\n", "nothing stands below > at rest"),
         ("> wall\nWand\n\n> wall\nMauer\n", "> wall stands here twice"),
         ("Wand\n", "a translation stands below its original"),
     ],

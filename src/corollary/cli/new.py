@@ -8,6 +8,7 @@ import shutil
 from pathlib import Path
 
 from corollary.cli.ending import HOLDS, answer, refuse
+from corollary.derive.cache import solution_of
 from corollary.derive.load import sources
 from corollary.messages import LOCALE
 from corollary.problem.bank import (
@@ -23,13 +24,17 @@ from corollary.problem.bank import (
 from corollary.problem.packed_pictures import pictures_of
 from corollary.problem.problem import Problem
 from corollary.problem.reader import CODE
+from corollary.problem.translation import to_translate, untranslated
+from corollary.verify.words.check_words import named_in, texts_of
 
 FIRST = Path(__file__).parent / "first_problem"
 NAME = re.compile(r"(?:([A-Za-z0-9][\w-]*)/)?([A-Za-z]\w*)$", re.ASCII)
 NO_TOPIC = "exercises"
 
 
-def run(code: str, name: str, like: str | None, bank: Path | None, as_json: bool) -> int:
+def run(code: str, name: str, like: str | None, translate: bool, bank: Path | None, as_json: bool) -> int:
+    if translate:
+        return _translate(code, name, bank, as_json)
     if not CODE.match(code):
         refuse(
             f"{code} is not a valid code; use letters and digits, separated by points, such as Q1 or X12.5"
@@ -69,6 +74,33 @@ def run(code: str, name: str, like: str | None, bank: Path | None, as_json: bool
         answer({"code": code, "problem": str(problem), "solution": str(solution)})
         return HOLDS
     _say_what_next(code, place, problem, solution, like if re.search(r"printed[(:]", derives) else None)
+    return HOLDS
+
+
+def _translate(code: str, spoken: str, bank: Path | None, as_json: bool) -> int:
+    """Writes the file of a translation, with every text that is to be translated."""
+    if not re.fullmatch(r"[a-z]{2,3}", spoken):
+        refuse(
+            f"{spoken} is not a language; write its code of two letters, such as: corollary new --translate {code} de"
+        )
+    place = open_bank(bank)
+    problem = find(place, code)
+    path = problem.path.with_suffix(f".{spoken}.md")
+    if path.exists():
+        refuse(f"{path} is there already; corollary verify {code} names what it lacks, nothing was written")
+    found = [text for text in texts_of(solution_of(place, problem)) if not named_in(spoken, text)]
+    texts = list(dict.fromkeys([*to_translate(problem), *found]))
+    with path.open("x", encoding="utf-8") as file:
+        file.write(untranslated(problem, texts))
+    if as_json:
+        answer({"code": code, "language": spoken, "translation": str(path), "texts": len(texts)})
+        return HOLDS
+    print(
+        f"written: {_short(path)}  title, question and {len(texts)} more texts to translate, each in its place"
+    )
+    print(
+        f"corollary verify {code} names what is left, corollary preview {code} --language {spoken} shows it."
+    )
     return HOLDS
 
 

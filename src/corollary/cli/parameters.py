@@ -209,6 +209,7 @@ NEW = (
     click.Argument(["code"], help="The new problem's code: Q1"),
     click.Argument(["name"], help="The name of its files: sliding_box, or topic/sliding_box"),
     text("--like", "Copy this problem of the bank, or of the chapter.", CODES),
+    flag("--translate", "Write a translation of the problem CODE instead, NAME being a language such as de."),
 )
 # Which problems are listed, and in which order.
 LISTED = (

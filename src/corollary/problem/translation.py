@@ -8,7 +8,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
@@ -18,7 +18,7 @@ from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, split
 from corollary.problem.packed_pictures import count, packed
 from corollary.problem.part import Part
-from corollary.problem.parts_markdown import entries, read_parts
+from corollary.problem.parts_markdown import ATTRIBUTE, HEADING, entries, read_parts
 from corollary.problem.problem import Problem
 from corollary.problem.statement import holes
 
@@ -26,6 +26,9 @@ NAME = re.compile(r"(?P<original>.+)\.(?P<language>[a-z]{2,3})$")
 TEXTS = "# Texts"
 """The heading below which texts of the figure and of the solution stand: each quoted, and its translation below it."""
 PACKED = re.compile(r"\(data:image/[^)]*\)")
+WORD = re.compile(r"[^\W\d_]{2,}")
+NOTHING = "nothing stands below > {:.40}; translate it there"
+SENTENCE = 6  # words from which on a text is not the same in two languages
 LABEL = re.compile(r'"([^"\n]*)"')
 
 
@@ -142,6 +145,34 @@ def set_words(path: Path) -> tuple[str, str]:
     return title, body.strip()
 
 
+def to_translate(problem: Problem) -> list[str]:
+    """The texts of a problem that stand below `# Texts`, once each."""
+    meanings = (given.meaning for given in problem.givens if not given.source)
+    words = (word for given in problem.givens for word in given.words)
+    hinted = (part.hint for part in problem.parts if part.hint)
+    return list(dict.fromkeys((*labels(problem), *sides(problem), *meanings, *words, *hinted)))
+
+
+def untranslated(problem: Problem, texts: Sequence[str]) -> str:
+    """The file of a translation with everything that is to be translated: title, statement and parts as in the original, and each of
+    the `texts`, quoted, with an empty line below. Raises Malformed."""
+    _, body, _ = split(problem.path)
+    lines: list[str] = []
+    for line in body.strip("\n").split("\n"):
+        heading = HEADING.match(line)
+        part = (
+            next((each for each in ATTRIBUTE.finditer(heading["attributes"] or "") if each["id"]), None)
+            if heading
+            else None
+        )
+        lines.append(f"## {heading['title']} {{#{part['id']}}}" if heading and part else line)
+    front = [f"title: {json.dumps(problem.title, ensure_ascii=False)}"]
+    if problem.figure_alt:
+        front.append(f"alt: {json.dumps(problem.figure_alt, ensure_ascii=False)}")
+    quoted = [f"> {' '.join(text.split())}\n" for text in texts if text]
+    return "\n".join(["---", *front, f"of: {digest(problem)}", "---", *lines, "", TEXTS, "", *quoted])
+
+
 def labels(problem: Problem) -> Iterator[str]:
     """The words that stand in a figure of primitives: labels in which there is more than letters of formulas and numbers."""
     if not problem.figure.lstrip().startswith("<"):
@@ -178,14 +209,15 @@ def faults(problem: Problem, found: ProblemTranslation) -> Iterator[Diagnostic]:
             pairs.append((theirs.line, what, option.text, texts.get(option.letter, "")))
     for gone in found.parts.keys() - {part.id for part in problem.parts}:
         yield Diagnostic(path, found.parts[gone].line, f"the problem has no part {gone}; take it out")
-    meanings = (given.meaning for given in problem.givens if not given.source)
-    words = (word for given in problem.givens for word in given.words)
-    hinted = (part.hint for part in problem.parts if part.hint)
-    for each in (*labels(problem), *sides(problem), *meanings, *words, *hinted):
+    for each in to_translate(problem):
         pairs.append((found.lines.get(each, 1), f"the text {each!r}", each, found.texts.get(each, "")))
     for line, what, original, theirs in pairs:
-        if original and not theirs:
+        if original and not theirs and original in found.lines:
+            yield Diagnostic(path, line, NOTHING.format(original))
+        elif original and not theirs:
             yield Diagnostic(path, line, f"{what} is missing; it is read in the original's language")
+        elif original == theirs and len(WORD.findall(original)) >= SENTENCE:
+            yield Diagnostic(path, line, f"{what} is still that of the original; translate it")
         elif count(original) != count(theirs):
             yield Diagnostic(
                 path, line, f"{what} shows {count(theirs)} pictures, the original {count(original)}"
@@ -229,9 +261,7 @@ def _text_list(path: Path, lines: list[str], first: int, complaints: list[Diagno
     def close() -> None:
         original, theirs = " ".join(" ".join(quoted).split()), "\n".join(words).strip()
         if original and not theirs:
-            complaints.append(
-                Diagnostic(path, begun, f"nothing stands below > {original[:40]}; translate it there")
-            )
+            found.lines[original] = begun  # not translated yet
         elif original in found.texts:
             complaints.append(
                 Diagnostic(path, begun, f"> {original[:40]} stands here twice; keep one of them")

@@ -16,7 +16,7 @@ from corollary.problem.figure import is_svg
 from corollary.problem.packed_pictures import pictures_of
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.problem.translation import ProblemTranslation, faults, translation, translations
+from corollary.problem.translation import NOTHING, ProblemTranslation, faults, translation, translations
 from corollary.units.unit import ONE, Unit, canonical, show
 from corollary.verify.checked import Tally
 from corollary.verify.words.asked_sign import MAGNITUDE
@@ -65,13 +65,20 @@ def texts_of(solution: Solution) -> list[str]:
     return list(found)
 
 
+def named_in(code: str, text: str) -> bool:
+    """Whether it is the name of a law of the library, which is translated into that language already."""
+    with language(code):
+        return _law_name(text) != text
+
+
 def _check_texts(found: ProblemTranslation, code: str, texts: list[str], tally: Tally) -> None:
     for text in texts:
         quoted = " ".join(text.split())
-        with language(code):
-            is_of_a_law = _law_name(text) != text
-        tally.count("translated texts", quoted in found.texts or is_of_a_law)
-        if quoted not in found.texts and not is_of_a_law:
+        is_there = bool(found.texts.get(quoted)) or named_in(code, text)
+        tally.count("translated texts", is_there)
+        if not is_there and quoted in found.lines:
+            tally.complain(f"{found.path.name}:{found.lines[quoted]}: {NOTHING.format(quoted)}")
+        elif not is_there:
             sentence = f"the solution's text has no translation; add, below # Texts: > {quoted}"
             tally.complain(f"{found.path.name}:1: {sentence}")
 
