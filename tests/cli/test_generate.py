@@ -11,8 +11,10 @@ import sys
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 from tests import forked
 
+from corollary.cli.commands import app
 from corollary.cli.main import main
 from corollary.records.files import open_course, students
 
@@ -145,3 +147,16 @@ def test_a_set_that_was_generated_before_comes_from_the_bank_it_came_from(
         )
     origin = json.loads((tmp_path / "course" / ".corollary" / "origin" / "momentum_1.json").read_text())
     assert origin["bank"] == str(bank)
+
+
+def test_a_problem_that_is_not_translated_is_named_before_sheets_are_dealt(run, tmp_path):
+    assert CliRunner().invoke(app, ["new", "Q1", "ride", "--bank", "mine"]).exit_code == 0
+    status, _, err = run("id\nada\n", "--language", "de")
+    assert (status, "not translated" in err) == (0, False)
+    (tmp_path / "small.md").write_text(SET.replace("X12.5", "Q1\n  - chapter/X12.5"))
+    status, _, err = run("id\nada\n", "--language", "de", "--bank", "mine", "--course", "other")
+    assert status == 0
+    assert (
+        "not translated into de, so that students read them in the original's language: Q1; corollary new --translate Q1 de"
+        in err
+    )

@@ -17,6 +17,7 @@ from corollary.nbgrader.config import check_config
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet, bank_of_set, find_set
 from corollary.problem.roster import Student, ids_heading, read_roster
+from corollary.problem.translation import translation
 from corollary.records.assignments import open_record, sheets
 from corollary.records.corrections import Correction, corrections
 from corollary.records.files import open_course
@@ -44,6 +45,7 @@ def run(
     is_course = (course / ".corollary" / "key").exists()
     warn_of_dates(problem_set, course=open_course(course) if is_course else None)
     warn_of_pools(problem_set)
+    warn_of_languages(problem_set)
     check_config(course)
     for problem in problem_set.problems:  # whatever can be refused is, before the first file is written
         solutions.of(problem)
@@ -130,6 +132,16 @@ def warn_of_pools(problem_set: ProblemSet) -> None:
                 f"warning: sheets of {problem_set.name} have different totals, since the problems of a pool have unequal "
                 f"points ({each}); make them equal with weight: or points: in the set's file"
             )
+
+
+def warn_of_languages(problem_set: ProblemSet) -> None:
+    """Problems that nobody has translated into the language of the sheets."""
+    left = [each.code for each in problem_set.problems if spoken() != "en" and translation(each) is None]
+    if left:
+        say(
+            f"warning: not translated into {spoken()}, so that students read them in the original's language: {', '.join(left)}; "
+            f"corollary new --translate {left[0]} {spoken()} begins a translation"
+        )
 
 
 def _whose_own(made: Generated) -> str:
