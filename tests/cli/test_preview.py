@@ -76,11 +76,11 @@ def test_a_draw_that_a_mistake_meets_says_so(bank, problem):
     [
         ("md", "code: Q1", "cod: Q1", r"ride\.md:2 the front matter has no `code`"),
         ("md", "at {{v}}, turn", "at {{V}}, turn", r"ride\.md:22 \{\{V\}\} is not among the givens"),
-        ("py", "return derivation(", "return derivaton(", r"ride\.py:9 derive fails: NameError"),
-        ("py", "v = d/t", "v = d/s", r"ride\.py:\d+ .*"),
-        ("py", "def derive(d, v, w):", "def derive(d, v, w:", r"ride\.py:\d+ is not Python"),
-        ("py", "def derive(d, v, w):", "def derive(d, v, q):", r"ride\.py:7 derive takes q, not among"),
-        ("py", "def derive(d, v, w):\n", "def derive(d, v, w):\n    raise SystemExit\n", r"ride\.py:8 derive fails"),
+        ("solution", "- law: Speed", "- low: Speed", r"ride\.md:7 an item that begins with 'low' has no place here"),
+        ("solution", "v = d/t", "v = d/s", r"ride\.md:7 Speed: what does s mean"),
+        ("solution", "`v = d/t`", "v = d/t", r"ride\.md:7 write one law between backticks"),
+        ("solution", "## (a) t", "## (a) d", r"ride\.md:3 d is a given"),
+        ("solution", "## (a) t", "## (a)", r"ride\.md:7 an item that begins with 'law' has no place here"),
         ("md", "floor at", "flour at", r"ride\.md:\d+ .*flour"),
     ],
 )  # fmt: skip
@@ -91,7 +91,7 @@ def test_an_authors_error_is_on_the_page(bank, problem, file, old, new, complain
     assert note is not None
     assert re.search(complaint, words(f"<body>{note[0]}"))
     assert "Traceback" not in page
-    if file == "py":
+    if file == "solution":
         assert "You ride a bike along a way of 12" in words(page)  # what is asked is still there
 
 

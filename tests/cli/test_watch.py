@@ -59,8 +59,13 @@ def test_what_is_quick_is_said_first_with_what_still_runs(said):
     ("file", "old", "new", "first"),
     [
         ("md", "code: Q1", "cod: Q1", "ride.md:2: the front matter has no `code`"),
-        ("py", "v = d/t", "v = d*t", "ride.py:10: part a: the answer is not in s, it is a rate"),
-        ("py", "def derive(d, v, w):", "def derive(d, v, w:", "ride.py:7: is not Python"),
+        ("solution", "v = d/t", "v = d*t", "ride.md:3: part a: the answer is not in s, it is a rate"),
+        (
+            "solution",
+            "- law: Speed,",
+            "- low: Speed,",
+            "ride.md:7: an item that begins with 'low' has no place here",
+        ),
         ("md", "floor at", "flour at", "ride.md:16: "),
     ],
 )
@@ -95,7 +100,7 @@ def test_what_has_not_changed_is_not_solved_again(said, bank, problem, solved):
     change(solution, "Twice the speed takes half the time.", "Half the speed takes twice the time.")
     assert "all hold" in said()[-1]
     assert len(solved) == first, "words are no algebra"
-    change(solution, '"t = v/d"', '"5*t*d = 5*v"')
+    change(solution, "`t = v/d`", "`5*t*d = 5*v`")
     assert "all hold" in said()[-1]
     assert len(solved) == first + 1, "one mistake, one law"
 

@@ -14,7 +14,13 @@ import pytest
 from corollary.cli.commands import app
 
 TOP = Path(__file__).parents[2]
-SENTENCE = {"leaves", "or"}  # what follows the name of our program in a sentence and is no command
+SENTENCE = {
+    "leaves",
+    "or",
+    "fail",
+    "failed",
+    "command",
+}  # what follows the name of our program in a sentence and is no command
 # Where a command stands as one: as code, or after what tells the reader to run it.
 AS_A_COMMAND = r"(?:`|&& |\$ |[Rr]un |[Tt]ry: )"
 

@@ -145,8 +145,8 @@ def bank_in(folder: Path) -> Path:
     """A bank of one's own, with two of the chapter's problems, so that they can be corrected."""
     bank = folder / "bank"
     for code in ("kicking_a_ball", "meteor_impact"):
-        for kind, end in (("problems", "md"), ("solutions", "py")):
-            (found,) = (REPOSITORY / kind).rglob(f"{code}.{end}")
+        for kind in ("problems", "solutions"):
+            (found,) = (REPOSITORY / kind).rglob(f"{code}.md")
             place = bank / found.relative_to(REPOSITORY)
             place.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(found, place)
