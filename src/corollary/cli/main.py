@@ -17,7 +17,9 @@ def main() -> None:
     """Runs a command; a request that cannot be understood is answered in one sentence."""
     loaded: dict[str, Any] = sys.modules
     loaded.setdefault(NOT_NEEDED, None)
-    gc.set_threshold(50_000, 20, 20)  # algebra makes many small objects: solving takes 13 % less time than with Python's own threshold
+    gc.set_threshold(
+        50_000, 20, 20
+    )  # algebra makes many small objects: solving takes 13 % less time than with Python's own threshold
     hear_ctrl_c_everywhere()
     try:
         sys.exit(_status())
