@@ -120,11 +120,11 @@ def _read(problem: Problem, path: Path, bank: Bank) -> Loaded:
     numbered = problem.path.is_relative_to(chapter_bank().problems)
     try:
         text = path.read_text(encoding="utf-8")
-        with own_letters(symbols, numbered=numbered) as meanings:
+        with time_limit(AUTHOR_S, AUTHOR_WALL_S), own_letters(symbols, numbered=numbered) as meanings:
             stated = read_solution(text, symbols, path.parent)
     except MarkdownError as error:
         raise NotDerivable(path, error.line, error.sentence) from error
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, UnicodeDecodeError, TooLong) as error:
         raise NotDerivable(path, 0, f"cannot be read: {error}") from None
     return Loaded(path, bank, stated[0].derivation, 1, _scene_beside(path), stated, meanings)
 
