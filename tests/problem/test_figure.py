@@ -110,7 +110,7 @@ def test_brackets_stand_in_brackets(problem):
         ("angle at=0,0 between=0,L", 0, "is not an angle"),
         ('block A at=0,0 "open', 0, "texts stand in double quotes"),
         ('floor "a" "b"', 0, "floor takes 1 text, here are 2"),
-        ("block A at=0,0 at=1,1", 0, "at= stands twice"),
+        ("block A at=0,0 at=1,1", 0, "at= is given twice"),
         ("curve through=(m,m) over=m,0,1", 0, "a letter that is not a given"),
         ("ball A at=0,0\nball A at=1,0", 1, "two things here are called A"),
         ("panel left right", 0, "a panel has a title"),

@@ -127,7 +127,7 @@ def test_a_set_with_a_broken_problem_names_its_fault(bank, write):
 def test_a_set_that_is_not_there(bank):
     a_set(bank, "title: W\nproblems: [X1.1]")
     with pytest.raises(
-        UnknownCode, match=r"no problem set week_2 \(did you mean week_1\?\); the bank has: week_1"
+        UnknownCode, match=r"no problem set week_2 \(did you mean week_1\?\); the bank .* has: week_1"
     ):
         find_set(bank, "week_2")
 

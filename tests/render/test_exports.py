@@ -228,7 +228,7 @@ def test_canvas_is_told_no_id_that_it_never_gave():
     absent, said = notes("canvas-grades", table)
     assert absent == ("k1", "k2")
     assert said[0].startswith(
-        "no id of Canvas's is on the roster, so students are matched by name alone: Ada Lovelace; --template"
+        "no id of Canvas's is on the roster, so students are matched by name alone: Ada Lovelace; safer: --template"
     )
     assert "cannot tell students of the same name apart" in said[1]
     login = (("SIS Login ID", "kim2"),)

@@ -33,4 +33,4 @@ def test_a_problem_with_a_fault_has_its_complaint_on_top(tmp_path):
     checked = verify(bank, problem, 5)
     assert not checked.ok
     write_report(tmp_path / "page.html", [(bank, problem)], [checked])
-    assert "cart.py" in (tmp_path / "page.html").read_text(encoding="utf-8")
+    assert "cart.md: is missing" in (tmp_path / "page.html").read_text(encoding="utf-8")

@@ -74,7 +74,7 @@ def test_a_solution_that_ends_its_worker_is_named(address: str, tmp_path) -> Non
 
 
 def test_a_worker_with_another_program_verifies_nothing() -> None:
-    with pytest.raises(NoCluster, match=r"another version of X12\.2 or of the program"):
+    with pytest.raises(NoCluster, match=r"another version of X12\.2 or of corollary"):
         verify_there(BANK, find(BANK, "X12.2"), 4, "another state", "en")
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from tests.chapter_problems import PROBLEMS
 
@@ -106,7 +108,9 @@ def test_the_chapters_own_checks_of_the_tennis_ball_are_the_bounds():
 
 
 CODES = sorted(
-    problem.code for problem in PROBLEMS if "neglected(" in BANK.solution(problem).read_text(encoding="utf-8")
+    problem.code
+    for problem in PROBLEMS
+    if re.search(r"neglected[(:]", BANK.solution(problem).read_text(encoding="utf-8"))
 )
 
 

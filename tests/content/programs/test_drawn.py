@@ -99,10 +99,10 @@ RIGHT = {
     + "plt.plot(t, p); plt.xlabel('t [s]'); plt.ylabel('p [kg m/s]'); plt.show()",
 }
 WRONG = {
-    "joules": (two("t", "F", "p", "t [s]", "F [J]", "t [s]", "p [kg m/s]"), "labels"),
-    "no unit": (two("t", "F", "p", "t", "F", "t", "p"), "labels"),
-    "no labels": (two("t", "F", "p", "", "", "", ""), "labels"),
-    "newtons called kilonewtons": (two("t", "F", "p", "t [s]", "F [kN]", "t [s]", "p [kg m/s]"), "labels"),
+    "joules": (two("t", "F", "p", "t [s]", "F [J]", "t [s]", "p [kg m/s]"), "labelled"),
+    "no unit": (two("t", "F", "p", "t", "F", "t", "p"), "labelled"),
+    "no labels": (two("t", "F", "p", "", "", "", ""), "labelled"),
+    "newtons called kilonewtons": (two("t", "F", "p", "t [s]", "F [kN]", "t [s]", "p [kg m/s]"), "labelled"),
     "the momentum called a force": (
         two("t", "F", "p", "t [s]", "F [N]", "t [s]", "F [kg m/s]"),
         "another quantity",
@@ -133,7 +133,7 @@ WRONG = {
         two("t", "F", "p", *LABELS).replace(
             "plt.show", "for n in range(1, 59): a.plot(t, F * n / 30)\nplt.show"
         ),
-        "more curves",
+        "too many curves",
     ),
     "eight curves": (
         two("t", "F", "p", *LABELS).replace("plt.show", "for n in range(2, 9): a.plot(t, F * n)\nplt.show"),
@@ -376,13 +376,13 @@ def test_the_motion_of_two_spheres(drawn):
         (
             "",
             THREE.replace("plt.show", "for n in range(56): axes[1].plot(t, n * p[:, 0, 0])\nplt.show"),
-            "more curves",
+            "too many curves",
         ),
         ("p[:, :, 1] = np.linspace(p[0, :, 1], p[-1, :, 1], n + 1)\n", THREE, "p_y"),
         ("r[:, 0] = np.linspace(r[0, 0], r[-1, 0], n + 1)\n", THREE, "trajectories"),
         ("p = v\n", THREE, "p_x"),
         ("labels[1:] = labels[:0:-1]\n", THREE, "another quantity"),
-        ("labels[0] = ('x [s]', 'y [m]')\n", THREE, "labels"),
+        ("labels[0] = ('x [s]', 'y [m]')\n", THREE, "labelled"),
         ("eta = 0\n", THREE.replace("axes[1].plot(scale[1] * t, scale[2] * p[:, j, 0])", ""), "p_x"),
     ):
         found = drawn("S12.6", "c", SPHERES + change + draw)

@@ -26,7 +26,6 @@ IN_SCENES = ("corollary.formula.ball", "corollary.formula.functions")
 @pytest.mark.parametrize("bank", BANKS)
 def test_only_what_is_offered_to_authors_is_imported(bank):
     files = list(BANKS[bank].rglob("*.py"))
-    assert len(files) > 10
     imported = {
         (str(path.relative_to(BANKS[bank])), node.module)
         for path in files
@@ -43,4 +42,5 @@ def test_only_what_is_offered_to_authors_is_imported(bank):
 
 
 def test_judges_are_there():
+    assert sum(1 for folder in BANKS.values() for _ in folder.rglob("*.py")) > 100
     assert sum(1 for folder in BANKS.values() for _ in folder.rglob("judge_*.py")) >= 11

@@ -104,7 +104,7 @@ def test_what_grows_beyond_all_numbers_is_known():
     said = judged(lambda inputs: [float("inf")] * inputs["N"])
     assert isinstance(said, Fault)
     assert said.known
-    assert "wrong sign" in said.sentence
+    assert "Check the sign" in said.sentence
 
 
 def test_a_step_too_large_of_ones_own_is_told():

@@ -70,7 +70,7 @@ def test_forty_cells_full_of_half_of_it_go_to_a_person(key: Key, spent: list[int
     one = velocities(key, rough=0.02)[:1] * 10
     found = judged(key, *(figure(f"cell{number}", one, one, one) for number in range(41)))
     assert isinstance(found, Unmarked)
-    assert "a person" in str(found)
+    assert "your teacher" in str(found)
     assert work.MOST_COMPARED < spent[-1] < work.MOST_COMPARED + 3 * POINTS
 
 
