@@ -6,8 +6,38 @@ import re
 from collections.abc import Mapping, Sequence
 
 from corollary.derive.markdown_items import ListItem, MarkdownError, Section
+from corollary.messages import did_you_mean
 
 QUOTED = re.compile(r"`([^`]*)`")
+CLAIMS = ("at", "limit", "always", "confirm", "printed")
+STEP = ("law", "also", "where", "reject", "mistake", "route", "check", "scale", "letter")
+ALLOWED: Mapping[str, tuple[str, ...]] = {
+    "step": STEP,
+    "optimum": ("optimum", "mistake", "check", "letter"),
+    "simulated": ("simulated", "mistake", "check", "letter"),
+    "example": ("example", "law", "apart", "scale", "letter"),
+    "neglected": ("neglected", "law", "also", "supposing", "letter"),
+    "proof": ("proof", "law", "line", "given", "rate", "mistake"),
+    "forces": ("force", "along"),
+    "code": ("code",),
+    "plot": ("plot",),
+    "explain": ("rubric",),
+    "choice": (),
+    "checks": (),
+    "letters": ("letter", "function", "variable", "supposed"),
+}
+OF_A_LAW = ("with", "holds", "source")
+BELOW: Mapping[str, tuple[str, ...]] = {
+    **dict.fromkeys(("law", "proof", "given", "along"), OF_A_LAW),
+    "mistake": ("law", "where", "with", "instead of"),
+    "route": ("law",),
+    "confirm": ("law",),
+    "printed": ("erratum",),
+    "simulated": ("with",),
+    "code": ("inputs", "judge", "example"),
+    "plot": ("judge", "example", "with calls"),
+}
+"""The items that may stand below an item."""
 CLAUSES = ("law", "with", "where", "instead of")
 
 
@@ -87,3 +117,19 @@ def one_formula(found: Sequence[str], what: str, such_as: str) -> str:
     if len(found) != 1:
         raise ValueError(f"write one {what} between backticks, such as {such_as}")
     return found[0]
+
+
+def refuse_misplaced(item: ListItem) -> None:
+    """Raises MarkdownError for an item below another that does not belong there."""
+    words = BELOW.get(item.key, ())
+    for each in item.items:
+        if each.key not in words:
+            word = each.key or each.text.partition(":")[0].partition(" ")[0]
+            what = (
+                f"write one of: {', '.join(f'{key}:' for key in words)}" if words else "move it to the left"
+            )
+            raise MarkdownError(
+                each.line,
+                f"{word!r} has no place below {item.key or item.text[:20]!r}{did_you_mean(word, words)}; {what}",
+            )
+        refuse_misplaced(each)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 
 HEADING = re.compile(r"(#{1,6})\s+(.*\S)\s*$")
 BULLET = re.compile(r"(\s*)[-*+]\s+(.*\S)\s*$")
+NUMBERED = re.compile(r"\d+[.)]\s+")
 COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 KEY = re.compile(r"([a-z][a-z ]*[a-z]):(?:\s+(.*))?$", re.DOTALL)
 
@@ -46,8 +47,12 @@ class Section:
     items: list[ListItem] = field(default_factory=list[ListItem])
 
 
-def sections(text: str) -> list[Section]:
-    """The sections of a text, in order. Lines that go on are joined by blanks; comments are left out."""
+def sections(text: str, keys: Collection[str] = ()) -> list[Section]:
+    """The sections of a text, in order. Lines that go on are joined by blanks; comments are left out.
+
+    With `keys`, raises MarkdownError for a line of a paragraph that is meant for a heading or an item: `##(a) v`, `1. law: …`, or
+    `law: …` without a dash.
+    """
     without = COMMENT.sub(lambda found: "\n" * found[0].count("\n"), text.lstrip("\ufeff"))
     found = [Section(0, "", 1)]
     path: list[ListItem] = []  # the item that the next line may go on with, and those above it
@@ -67,8 +72,11 @@ def sections(text: str) -> list[Section]:
             (path[-1].items if path else section.items).append(item)
             path.append(item)
         elif path and not (gap and content[0] not in " \t"):
+            if content[0] not in " \t":
+                _refuse_lost(content, line, keys)
             path[-1].text += f" {content.strip()}"
         else:
+            _refuse_lost(content, line, keys)
             path = []
             section.paragraph = f"{section.paragraph} {content.strip()}".lstrip()
         gap = not content.strip()
@@ -77,6 +85,21 @@ def sections(text: str) -> list[Section]:
             if key := KEY.match(item.text):
                 item.key, item.text = key[1], key[2] or ""
     return found
+
+
+def _refuse_lost(content: str, line: int, keys: Collection[str]) -> None:
+    if not keys:
+        return
+    text = content.strip()
+    if text.startswith("#"):
+        raise MarkdownError(
+            line, f"write a heading with a blank behind its signs, such as ## {text.lstrip('#')}"
+        )
+    numbered = NUMBERED.match(text)
+    key = KEY.match(text[numbered.end() :] if numbered else text)
+    if numbered or (key and key[1] in keys):
+        item = text[numbered.end() :] if numbered else text
+        raise MarkdownError(line, f"begin an item of a list with a dash: - {item[:60]}")
 
 
 def _all(items: list[ListItem]) -> Iterator[ListItem]:

@@ -15,6 +15,9 @@ from corollary.derive.beside import LazyModule, program_text
 from corollary.derive.derivation import Always, Branch, Case, Cases, Entry, Limit, Special, branches
 from corollary.derive.formula_text import LetterTable, is_call, parted
 from corollary.derive.item_clauses import (
+    ALLOWED,
+    BELOW,
+    CLAIMS,
     QUOTED,
     clauses_of,
     first_item,
@@ -23,6 +26,7 @@ from corollary.derive.item_clauses import (
     named_below,
     one_formula,
     only_text,
+    refuse_misplaced,
     refuse_others,
 )
 from corollary.derive.markdown_items import ListItem, MarkdownError, Section, sections
@@ -61,23 +65,6 @@ CHECKS = "Checks"
 OPTION = re.compile(
     r"\((?P<option>\w+)\)\s+is\s+(?P<right>right|wrong)(?:\s+if\s+`(?P<condition>[^`]+)`)?(?::\s+(?P<text>.*))?$"
 )
-CLAIMS = ("at", "limit", "always", "confirm", "printed")
-STEP = ("law", "also", "where", "reject", "mistake", "route", "check", "scale", "letter")
-ALLOWED: Mapping[str, tuple[str, ...]] = {
-    "step": STEP,
-    "optimum": ("optimum", "mistake", "check", "letter"),
-    "simulated": ("simulated", "mistake", "check", "letter"),
-    "example": ("example", "law", "apart", "scale", "letter"),
-    "neglected": ("neglected", "law", "also", "supposing", "letter"),
-    "proof": ("proof", "law", "line", "given", "rate", "mistake"),
-    "forces": ("force", "along"),
-    "code": ("code",),
-    "plot": ("plot",),
-    "explain": ("rubric",),
-    "choice": (),
-    "checks": (),
-    "letters": ("letter", "function", "variable", "supposed"),
-}
 KINDS = ("optimum", "simulated", "example", "neglected", "proof", "code", "plot")
 """Items that say of which kind a section is."""
 
@@ -87,7 +74,8 @@ def read_solution(text: str, givens: Mapping[str, sympy.Symbol], folder: Path) -
 
     To be read within `own_letters`. Raises MarkdownError.
     """
-    return SolutionReader(givens, folder).derivation(sections(text))
+    keys = {key for words in ALLOWED.values() for key in words} | {*CLAIMS, *BELOW}
+    return SolutionReader(givens, folder).derivation(sections(text, keys))
 
 
 @contextmanager
@@ -270,6 +258,7 @@ class SolutionReader:
         options = kind in ("choice", "forces")
         for item in section.items:
             if item.key in words or (options and OPTION.match(item.text)):
+                refuse_misplaced(item)
                 continue
             begin = f"begin it with one of: {', '.join(f'{word}:' for word in words)}"
             if options:
@@ -296,9 +285,6 @@ class SolutionReader:
             name, clauses = clauses_of(item)
             refuse_others(clauses, "law", "with")
             words = {key: only_text(item.values(key)) for key in ("source", "holds") if item.values(key)}
-            below = [each for each in item.items if each.key not in ("source", "holds", "with")]
-            if below:
-                raise MarkdownError(below[0].line, "below a law stand with:, holds: and source: only")
             letters = [*clauses["with"], *(formula_of(each) for each in item.values("with"))]
             formula = one_formula(clauses["law"], "law", "Momentum, `p = m*v`")
             if named and not name and not is_call(formula):
