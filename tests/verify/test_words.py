@@ -93,6 +93,23 @@ RIGHT = {  # sentence, question, unit
 }
 
 
+@pytest.mark.parametrize(("hole", "found"), [("{{M}}", 0), ("{{v}}", 1)])
+def test_a_molar_mass_may_be_called_a_mass_and_a_speed_may_not(tmp_path, hole, found):
+    text = HEAD.format(
+        statement=f"{HOLES} {{{{M}}}}\n\nAn acid of molar mass {hole}.",
+        asked="What is it?",
+        unit="N",
+        more="",
+    )
+    given = (
+        "given:\n  M: {is: molar mass of the acid, value: 98.1, from: 60, to: 120, step: 0.1, unit: g/mol}"
+    )
+    (tmp_path / "words.md").write_text(text.replace("given:", given, 1), encoding="utf-8")
+    tally = Tally()
+    check_words(read_problem(tmp_path / "words.md"), tally)
+    assert ["which hole is meant" in each for each in tally.complaints] == [True] * found
+
+
 @pytest.mark.parametrize("name", RIGHT)
 def test_right_sentences_are_let_pass(tmp_path, name):
     assert complaints(tmp_path, *RIGHT[name]) == []

@@ -122,6 +122,8 @@ def one_formula(found: Sequence[str], what: str, such_as: str) -> str:
 def refuse_misplaced(item: ListItem) -> None:
     """Raises MarkdownError for an item below another that does not belong there."""
     words = BELOW.get(item.key, ())
+    if item.key and not item.text and not item.items:
+        raise MarkdownError(item.line, f"nothing stands behind {item.key}:; write it, or leave the item out")
     for each in item.items:
         if each.key not in words:
             word = each.key or each.text.partition(":")[0].partition(" ")[0]

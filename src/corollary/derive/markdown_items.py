@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 HEADING = re.compile(r"(#{1,6})\s+(.*\S)\s*$")
 BULLET = re.compile(r"(\s*)[-*+]\s+(.*\S)\s*$")
-NUMBERED = re.compile(r"\d+[.)]\s+")
+NUMBERED = re.compile(r"\d+[.)]\s+|[-–—*+]\s*(?=[a-z ]+:)")
 COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 KEY = re.compile(r"([a-z][a-z ]*[a-z]):(?:\s+(.*))?$", re.DOTALL)
 
@@ -61,6 +61,10 @@ def sections(text: str, keys: Collection[str] = ()) -> list[Section]:
         section = found[-1]
         if not content.strip():
             gap = True
+        elif keys and content.strip() == "---":
+            raise MarkdownError(
+                line, "a solution has no front matter, and no rules between its sections; leave --- out"
+            )
         elif heading := HEADING.match(content):
             found.append(Section(len(heading[1]), heading[2], line))
             path = []
@@ -77,6 +81,9 @@ def sections(text: str, keys: Collection[str] = ()) -> list[Section]:
             path[-1].text += f" {content.strip()}"
         else:
             _refuse_lost(content, line, keys)
+            if keys and section.items:
+                sentence = "words for the reader stand above the list of their section; indent what belongs to an item"
+                raise MarkdownError(line, sentence)
             path = []
             section.paragraph = f"{section.paragraph} {content.strip()}".lstrip()
         gap = not content.strip()
@@ -97,9 +104,9 @@ def _refuse_lost(content: str, line: int, keys: Collection[str]) -> None:
         )
     numbered = NUMBERED.match(text)
     key = KEY.match(text[numbered.end() :] if numbered else text)
-    if numbered or (key and key[1] in keys):
+    if (numbered and text[0].isdigit()) or (key and key[1] in keys):
         item = text[numbered.end() :] if numbered else text
-        raise MarkdownError(line, f"begin an item of a list with a dash: - {item[:60]}")
+        raise MarkdownError(line, f"begin an item of a list with a dash and a blank: - {item[:60]}")
 
 
 def _all(items: list[ListItem]) -> Iterator[ListItem]:

@@ -116,6 +116,8 @@ class SolutionReader:
             first,
             *(each for each in others if each.level == 1),
         ):  # a title, and what is said of letters
+            if section.title.startswith("("):
+                raise MarkdownError(section.line, f"a step has a heading of level two: ## {section.title}")
             self._allowed(section, "letters")
             self._declarations(section)
         for section in titled:
@@ -220,7 +222,8 @@ class SolutionReader:
         if CASE.match(section.title) or section.title == CHECKS or not found:
             return "", [], ""
         letters = found["letters"].strip().replace("`", "")
-        if letters and not LETTERS.match(letters):
+        odd = letters.casefold() in ("case", "check") or (found["meaning"] and not letters)
+        if odd or (letters and not LETTERS.match(letters)):
             raise MarkdownError(
                 section.line,
                 f"a heading is a part in brackets and the unknowns that are found, such as (a) v or v_A, v_B; a case, "

@@ -127,7 +127,7 @@ def law(name: str, formula: str, *, source: str = "", holds: str = "", **letters
         raise ValueError(
             f"{name}: what does {', '.join(sorted(missing))} mean in {formula!r}? "
             f"It is neither a given nor an unknown ({', '.join(sorted(own)) or 'there are none yet'}); "
-            f"say {sorted(missing)[0]}=…"
+            f"say what it means: {sorted(missing)[0]} = …"
         )
     if extra := here.keys() - used:
         raise ValueError(f"{name}: {', '.join(sorted(extra))} does not occur in {formula!r}")

@@ -102,6 +102,14 @@ def read_problem(path: Path) -> Problem:
         if count(text):
             complaints.append(Diagnostic(path, at, "a picture stands in the text below a title, not in it"))
     for part in parts:
+        if not part.answer_types:
+            complaints.append(
+                Diagnostic(
+                    path,
+                    part.line,
+                    f"part {part.id} has no kind of answer; write one into the heading, such as .value",
+                )
+            )
         if "choice" not in part.answer_types and any(count(option.text) for option in part.options):
             complaints.append(
                 Diagnostic(path, part.line, f"part {part.id} lists words, of which none can be a picture")

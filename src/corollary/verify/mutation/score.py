@@ -199,9 +199,9 @@ def _candidates(checks: Checks, unnoticed: Sequence[Laws]) -> Iterator[Candidate
     for case_text, there in islice(_special_cases(checks, spot), CASES):
         noticed = _at(checks, letters, steps, there)
         for letter in letters:
-            yield Candidate(f"at({case_text}, {letter}=…)", noticed[letter])
+            yield Candidate(f"at: `{case_text}, {letter}=…`", noticed[letter])
     for part_id, found in checks.parts.items():
-        line = f'confirm(law("…", "…")): another law that {", ".join(found.find.names)} must obey'
+        line = f"confirm: with another law below it that {', '.join(found.find.names)} must obey"
         yield Candidate(line, _changed(checks, part_id, steps, spot))
 
 

@@ -74,6 +74,8 @@ def _wrong_quantity(text: str, given: Given, before: str, givens: dict[str, Give
     measured = _measured().get(noun)
     if measured is None or measured == given.unit.dimension:
         return ""
+    if noun in given.meaning.casefold().partition(" of ")[0].split():  # a molar mass is called a mass
+        return ""
     others = {name for name, each in givens.items() if each.unit.dimension == measured}
     if not others or any(
         _measured().get(_noun(tex_replaced(text[: each.start()])[-60:])) == measured
