@@ -178,7 +178,7 @@ def term(tmp_path_factory: pytest.TempPathFactory) -> Term:
     participants = made.folder / "participants.csv"
     participants.write_bytes(PARTICIPANTS.encode("cp1252"))
     generated = made.run("generate", "week1", "--roster", participants, "--course", ".")
-    assert "is past" in generated.err
+    assert "so every hand-in counts as late" in generated.err
     return made
 
 
