@@ -26,7 +26,7 @@ from corollary.verify.expected_answers import samples
 MANUAL = Path(__file__).parents[2] / "docs" / "howto"
 BLOCK = r"((?:(?!^```).)*)"
 EXAMPLE = re.compile(
-    rf"^```markdown\n(?=---\ncode: ){BLOCK}^```\n\n```python\n{BLOCK}^```", re.MULTILINE | re.DOTALL
+    rf"^```markdown\n(?=---\ncode: ){BLOCK}^```\n\n```markdown\n(?!---){BLOCK}^```", re.MULTILINE | re.DOTALL
 )
 ALONE = """
 import json, sys
@@ -67,8 +67,8 @@ def manual(tmp_path) -> Bank:
     """The whole examples of the manual for authors, but for those of programs, which no page judges."""
     pages = [path.read_text(encoding="utf-8") for path in sorted(MANUAL.glob("*.md"))]
     examples = [each for page in pages for each in EXAMPLE.findall(page)]
-    for number, (problem, solution) in enumerate(each for each in examples if "file(" not in each[1]):
-        for folder, ending, text in (("problems", "md", problem), ("solutions", "py", solution)):
+    for number, (problem, solution) in enumerate(each for each in examples if "example: `" not in each[1]):
+        for folder, ending, text in (("problems", "md", problem), ("solutions", "md", solution)):
             place = tmp_path / folder / "examples" / f"example_{number}.{ending}"
             place.parent.mkdir(parents=True, exist_ok=True)
             place.write_text(text, encoding="utf-8")

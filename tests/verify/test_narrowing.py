@@ -73,7 +73,7 @@ def test_where_two_givens_decide_together_it_is_a_condition(tmp_path):
         for variant in spread(problem, 400, salt="test")
     ]
     found = re.fullmatch(
-        r"with m >= (0\.8\d)\*v \(under where:\) it would be (\d+)% of them; beyond that it is (\d+)%",
+        r"with m >= (0\.8\d)\*v \(under where:\) it would be (\d+) % of them; beyond that it is (\d+) %",
         narrower(tried),
     )
     assert found is not None
