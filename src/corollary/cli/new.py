@@ -8,7 +8,6 @@ import shutil
 from pathlib import Path
 
 from corollary.cli.ending import HOLDS, answer, refuse
-from corollary.derive.cache import solution_of
 from corollary.derive.load import sources
 from corollary.messages import LOCALE
 from corollary.problem.bank import (
@@ -24,8 +23,6 @@ from corollary.problem.bank import (
 from corollary.problem.packed_pictures import pictures_of
 from corollary.problem.problem import Problem
 from corollary.problem.reader import CODE
-from corollary.problem.translation import to_translate, untranslated
-from corollary.verify.words.check_words import named_in, texts_of
 
 FIRST = Path(__file__).parent / "first_problem"
 NAME = re.compile(r"(?:([A-Za-z0-9][\w-]*)/)?([A-Za-z]\w*)$", re.ASCII)
@@ -79,6 +76,10 @@ def run(code: str, name: str, like: str | None, translate: bool, bank: Path | No
 
 def _translate(code: str, spoken: str, bank: Path | None, as_json: bool) -> int:
     """Writes the file of a translation, with every text that is to be translated."""
+    from corollary.derive.cache import solution_of  # only here: a new problem needs none of them
+    from corollary.problem.translation import to_translate, untranslated
+    from corollary.verify.words.check_words import named_in, texts_of
+
     if not re.fullmatch(r"[a-z]{2,3}", spoken):
         refuse(
             f"{spoken} is not a language; write its code of two letters, such as: corollary new --translate {code} de"

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 from datetime import UTC, datetime
 
-from corollary.cli.ending import agreed, refuse, say
+from corollary.cli.ending import agreed, counted, refuse, say
 from corollary.course.renew import Renewals
 from corollary.messages import few
 from corollary.nbgrader.written_marks import with_solutions
@@ -18,8 +18,6 @@ from corollary.records.corrections import Correction
 from corollary.records.deadlines import read_deadlines, reveal_by_hand
 from corollary.records.files import Course, students
 from corollary.records.submissions import submissions
-
-MOST_NAMED = 5
 
 
 def names_settled(
@@ -60,9 +58,7 @@ def say_renewals(found: Renewals) -> None:
 
 def named(students: Sequence[str]) -> str:
     """`3 students: ada, ben, cyd`."""
-    more = len(students) - MOST_NAMED
-    names = ", ".join(students[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
-    return f"{len(students)} student{'' if len(students) == 1 else 's'}: {names}"
+    return f"{counted(len(students), 'student')}: {few(students)}"
 
 
 def with_name(student: Student) -> str:

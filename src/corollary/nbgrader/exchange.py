@@ -118,10 +118,8 @@ class ReleaseOwnSheets(ExchangeReleaseAssignment):
 
     def _refuse_without_separation(self, accounts: dict[str, int | None]) -> None:
         if without := [student for student, account in accounts.items() if account is None]:
-            more = f" and {len(without) - MOST_NAMED} more" if len(without) > MOST_NAMED else ""
-            listed = ", ".join(without[:MOST_NAMED]) + more
             self.fail(
-                f"{listed} have no account on this machine, so their sheets cannot be for them alone; {INSTEAD}"
+                f"{few(without, MOST_NAMED)} have no account on this machine, so their sheets cannot be for them alone; {INSTEAD}"
             )
         if os.geteuid() != 0 and sys.platform != "linux":
             self.fail(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from statistics import fmean, median
 from typing import TYPE_CHECKING, Final
@@ -13,7 +13,7 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from corollary.messages import visible
+from corollary.messages import few, visible
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.collusion import SHARING
 from corollary.records.marks import HandedIn, Row
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from corollary.records.statistics import SetStatistics
 
 MOST = 15
+SHOWN = 4  # students in a cell
 
 
 def terminal(report: Report, unmarked: Collection[str] = ()) -> RenderableType:
@@ -48,7 +49,7 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
             "Misconceptions and slips met",
             ("part", "what", "students"),
             (
-                (f"{met.problem} {met.part}", met.text, f"{len(met.students)}: {_some(met.students)}")
+                (f"{met.problem} {met.part}", met.text, f"{len(met.students)}: {few(met.students, SHOWN)}")
                 for met in report.met[:MOST]
             ),
         )
@@ -58,7 +59,7 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
             "Waits for marking",
             ("part", "why", "students"),
             (
-                (f"{problem} {part}", why, f"{len(whose)}: {_some(whose)}")
+                (f"{problem} {part}", why, f"{len(whose)}: {few(whose, SHOWN)}")
                 for (problem, part, why), whose in list(waiting.items())[:MOST]
             ),
         )
@@ -74,7 +75,7 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
                     one.kind,
                     one.answers[0].typed,
                     one.answers[0].read,
-                    f"{len(one.students)}: {_some(one.students)}",
+                    f"{len(one.students)}: {few(one.students, SHOWN)}",
                 )
                 for one in report.near_misses[:MOST]
             ),
@@ -108,9 +109,9 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
     if report.coincidences:
         yield Text(f"\n{coincidences(report)}")
     if missing := tuple(one for one in report.missing if one not in unmarked):
-        yield Text(f"\nNot handed in by {len(missing)}: {_some(missing, 12)}")
+        yield Text(f"\nNot handed in by {len(missing)}: {few(missing, 12)}")
     if report.excused:
-        yield Text(f"\nExcused: {_some(report.excused, 12)}")
+        yield Text(f"\nExcused: {few(report.excused, 12)}")
     for line, count in report.isolation.items():
         yield Text(f"\n{count} ran behind {line}", style="dim")
 
@@ -182,10 +183,6 @@ def _table(title: str, columns: tuple[str, ...], rows: Iterator[tuple[str, ...]]
 def _more(count: int) -> Iterator[Text]:
     if count > MOST:
         yield Text(f"and {count - MOST} more; --json has them all", style="dim")
-
-
-def _some(names: Sequence[str], most: int = 4) -> str:
-    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
 
 
 FORMGRADER: Final = "http://localhost:8888/formgrader"
