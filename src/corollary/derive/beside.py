@@ -223,9 +223,10 @@ def files_beside(solution: Path, source: bytes, scenes: Sequence[Path] = ()) -> 
 
 
 def _names(solution: Path, source: bytes) -> Iterator[str]:
-    """Files that a program imports, if they are there, or names; and texts that may be a scene's name. Of a solution in text, what
-    stands between backticks."""
+    """Files that a program imports, if they are there, or names; and texts that may be a scene's name. Of a solution in text, the
+    program of the same name, and what stands between backticks."""
     if solution.suffix == ".md":
+        yield f"{solution.stem}.py"
         yield from BACKTICKS.findall(source.decode(errors="replace"))
         return
     try:

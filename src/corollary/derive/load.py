@@ -114,19 +114,26 @@ def called_later(
 def _read(problem: Problem, path: Path, bank: Bank) -> Loaded:
     """A solution in text. Nothing is run: its scene, in the file of the same name beside it, is loaded when it is asked for."""
     from corollary.derive.solution_text import read_solution  # only here, as sympy above
-    from corollary.laws.law import own_letters
 
-    symbols = {given.symbol: symbol_of(problem, given.symbol) for given in problem.givens if not given.words}
-    numbered = problem.path.is_relative_to(chapter_bank().problems)
     try:
         text = path.read_text(encoding="utf-8")
-        with time_limit(AUTHOR_S, AUTHOR_WALL_S), own_letters(symbols, numbered=numbered) as meanings:
+        with time_limit(AUTHOR_S, AUTHOR_WALL_S), _letters(problem) as (symbols, meanings):
             stated = read_solution(text, symbols, path.parent)
     except MarkdownError as error:
         raise NotDerivable(path, error.line, error.sentence) from error
     except (OSError, UnicodeDecodeError, TooLong) as error:
         raise NotDerivable(path, 0, f"cannot be read: {error}") from None
     return Loaded(path, bank, stated[0].derivation, 1, _scene_beside(path), stated, meanings)
+
+
+@contextmanager
+def _letters(problem: Problem) -> Generator[tuple[dict[str, Any], dict[str, str]]]:
+    """While a derivation of the problem is stated: the symbols of its givens, and what letters stand for, filled as they are named."""
+    from corollary.laws.law import own_letters  # only here, as sympy above
+
+    symbols = {given.symbol: symbol_of(problem, given.symbol) for given in problem.givens if not given.words}
+    with own_letters(symbols, numbered=problem.path.is_relative_to(chapter_bank().problems)) as meanings:
+        yield symbols, meanings
 
 
 def _scene_beside(path: Path) -> Callable[[], Callable[..., Any]] | None:
@@ -163,11 +170,7 @@ def _loaded(problem: Problem, path: Path, bank: Bank) -> Loaded:
         why = f"; {', '.join(words)} is a word, which stands in the text only" if words else ""
         known = f"the givens of {problem.code} ({', '.join(have)})"
         raise NotDerivable(path, line, f"derive takes {', '.join(strange)}, not among {known}{why}")
-    from corollary.laws.law import own_letters  # only here, as sympy above
-
-    symbols = {name: symbol_of(problem, name) for name in have}
-    numbered = problem.path.is_relative_to(chapter_bank().problems)
-    with authors_code(path, "derive fails", line), own_letters(symbols, numbered=numbered) as meanings:
+    with authors_code(path, "derive fails", line), _letters(problem) as (symbols, meanings):
         derivation = derive(**{name: symbols[name] for name in wanted})
     stated = cast("tuple[Any, ...]", derivation) if isinstance(derivation, tuple) else ()
     if not all(isinstance(each, Branch) for each in stated) or not stated:
@@ -188,12 +191,7 @@ def sources(bank: Bank, problem: Problem) -> dict[Path, bytes]:
     path = bank.solution(problem)
     try:
         own, scenes = path.read_bytes(), scene_folders(bank.home_of(problem.path))
-        found, beside = {path: own}, files_beside(path, own, scenes)
-        program = path.with_suffix(".py")
-        if path != program and program.is_file():
-            found[program] = program.read_bytes()
-            beside += files_beside(program, found[program], scenes)
-        return found | {each: each.read_bytes() for each in sorted(set(beside))}
+        return {path: own} | {each: each.read_bytes() for each in files_beside(path, own, scenes)}
     except OSError as error:
         raise NotDerivable(path, 0, f"cannot be read: {error.strerror}") from None
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from corollary.records.statistics import SetStatistics
 
 MOST = 15
-SHOWN = 4  # students in a cell
+MOST_IN_A_CELL = 4  # students in a cell
 
 
 def terminal(report: Report, unmarked: Collection[str] = ()) -> RenderableType:
@@ -49,7 +49,11 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
             "Misconceptions and slips met",
             ("part", "what", "students"),
             (
-                (f"{met.problem} {met.part}", met.text, f"{len(met.students)}: {few(met.students, SHOWN)}")
+                (
+                    f"{met.problem} {met.part}",
+                    met.text,
+                    f"{len(met.students)}: {few(met.students, MOST_IN_A_CELL)}",
+                )
                 for met in report.met[:MOST]
             ),
         )
@@ -59,7 +63,7 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
             "Waits for marking",
             ("part", "why", "students"),
             (
-                (f"{problem} {part}", why, f"{len(whose)}: {few(whose, SHOWN)}")
+                (f"{problem} {part}", why, f"{len(whose)}: {few(whose, MOST_IN_A_CELL)}")
                 for (problem, part, why), whose in list(waiting.items())[:MOST]
             ),
         )
@@ -75,7 +79,7 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
                     one.kind,
                     one.answers[0].typed,
                     one.answers[0].read,
-                    f"{len(one.students)}: {few(one.students, SHOWN)}",
+                    f"{len(one.students)}: {few(one.students, MOST_IN_A_CELL)}",
                 )
                 for one in report.near_misses[:MOST]
             ),
