@@ -36,7 +36,7 @@ def problem(tmp_path: Path) -> Callable[[str], Problem]:
 @pytest.mark.parametrize(
     ("heading", "words"),
     [
-        ("## A {#a}", "needs one kind"),
+        ("## A {#a}", "has no kind of answer"),
         ("## A {#a .number}", "needs one kind"),
         ("## A {#a .value .choice}", "needs one kind"),
         ("## A {#a .vector}", "name its components"),

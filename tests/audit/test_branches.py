@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from time import process_time
 from typing import Any
 
 import pytest
@@ -12,7 +11,6 @@ import yaml
 EXERCISES: list[dict[str, Any]] = yaml.safe_load(
     (Path(__file__).parent / "branches.yaml").read_text(encoding="utf-8")
 )
-SECONDS = 5.0  # of the processor: most take a hundredth of one
 
 
 def published(exercise: dict[str, Any], answer: str) -> str:
@@ -22,12 +20,10 @@ def published(exercise: dict[str, Any], answer: str) -> str:
 
 @pytest.mark.parametrize("exercise", EXERCISES, ids=lambda each: each["id"])
 def test_right_agrees_and_wrong_does_not(audited, exercise):
-    before = process_time()
     right = audited(published(exercise, "right"))
     wrong = audited(published(exercise, "wrong"))
     assert {each.finding for each in right} == {"agrees"}, right[0].why
     assert {each.finding for each in wrong} <= {"wrong", "impossible"}, wrong[0].why
-    assert process_time() - before < SECONDS
 
 
 def test_there_are_enough():
