@@ -60,7 +60,7 @@ SOLUTIONS = {
     "wordless": (SOLUTION.replace("BEFORE", "class Odd(BaseException):\n        __str__ = None\n    raise Odd"), "wordless.py:7: derive fails: Odd"),
     "scene_interrupted": (SOLUTION + SCENE.replace("BEFORE", "raise KeyboardInterrupt"), "scene_interrupted.py:8: scene fails: KeyboardInterrupt"),
     "scene_leaving": (SOLUTION + SCENE.replace("BEFORE", "raise SystemExit(4)"), "scene_leaving.py:8: scene fails: SystemExit: 4"),
-    "missing": (None, "missing.md: is missing"),
+    "missing": (None, "solutions/t/missing.md: is missing"),
 }  # fmt: skip
 STATEMENTS = {
     "yaml": PROBLEM.replace("title: A", "title: [A"),

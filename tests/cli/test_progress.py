@@ -1,10 +1,11 @@
-"""The bar's words: how fast it goes and how long it will take; and nothing at all where nobody looks."""
+"""The bar's words: how fast it goes and how long it will take; lines in a pipe where it takes long, and else nothing."""
 
 from __future__ import annotations
 
 import pytest
 
-from corollary.cli.terminal import countdown, pace
+from corollary.cli import terminal
+from corollary.cli.terminal import bar, countdown, pace
 
 
 @pytest.mark.parametrize(
@@ -22,8 +23,22 @@ def test_the_pace_is_counted_from_step_to_step(moments: list[float], left: int |
     assert pace(moments, left) == said
 
 
-def test_nothing_is_shown_to_a_file(capsys: pytest.CaptureFixture[str]) -> None:
+def test_nothing_is_written_to_a_file_of_what_is_soon_done(capsys: pytest.CaptureFixture[str]) -> None:
     with countdown("grading") as tell:
         for left in (2, 1, 0):
             tell("ada", left)
     assert capsys.readouterr() == ("", "")
+
+
+def test_long_work_writes_lines_into_a_pipe(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(terminal, "EVERY", 0.0)
+    with bar("verifying", 3) as progress:
+        for code in ("S12.1", "S12.2"):
+            progress(code)
+    with countdown("grading") as tell:
+        tell("ada", 41)
+    assert capsys.readouterr() == (
+        "", "verifying: 1 of 3 (S12.1)\nverifying: 2 of 3 (S12.2)\ngrading: 1 of 42 (ada)\n"
+    )  # fmt: skip

@@ -35,7 +35,7 @@ def test_complaints_begin_with_their_place_and_the_verdict_names_the_problem(ver
     done = verify(old="v = d/t", new="v = d*t")
     assert done.exit_code == 1
     complaints = [line for line in done.stderr.splitlines() if line]
-    assert complaints[0].startswith("ride.md:3: part a: the answer is not in s")
+    assert complaints[0].startswith("solutions/exercises/ride.md:3: part a: the answer is not in s")
     assert done.stdout.splitlines()[-1] == "1 of 1 problem with complaints: Q1"
 
 
@@ -46,12 +46,12 @@ def test_notes_on_several_problems_are_counted_and_shown_where_they_are_asked_fo
     assert done.exit_code == 0
     assert done.stderr.split("\n\n")[-1].strip() == "1 note, no fault (Q1): --verbose shows them"
     shown = verify("Q2", "--verbose")
-    assert "notes on Q1:\n  ride.md:" in shown.stderr
+    assert "notes on Q1:\n  solutions/exercises/ride.md:" in shown.stderr
     assert "--verbose" not in shown.stderr
     assert shown.stdout.splitlines()[-1] == "all hold"
 
 
 def test_notes_on_one_problem_are_shown(verify):
     done = verify(old=ONE_OF_TWO)
-    assert "notes on Q1:\n  ride.md:" in done.stderr
+    assert "notes on Q1:\n  solutions/exercises/ride.md:" in done.stderr
     assert done.stdout.splitlines()[-1] == "all hold"

@@ -59,12 +59,17 @@ def test_what_is_quick_is_said_first_with_what_still_runs(said):
     ("file", "old", "new", "first"),
     [
         ("md", "code: Q1", "cod: Q1", "ride.md:2: the front matter has no `code`"),
-        ("solution", "v = d/t", "v = d*t", "ride.md:3: part a: the answer is not in s, it is a rate"),
+        (
+            "solution",
+            "v = d/t",
+            "v = d*t",
+            "solutions/exercises/ride.md:3: part a: the answer is not in s, it is a rate",
+        ),
         (
             "solution",
             "- law: Speed,",
             "- low: Speed,",
-            "ride.md:7: an item that begins with 'low' has no place here",
+            "solutions/exercises/ride.md:7: an item that begins with 'low' has no place here",
         ),
         ("md", "floor at", "flour at", "ride.md:16: "),
     ],

@@ -256,6 +256,8 @@ Work.
         ("`f = m*g`", "", 12, "say which law the mistake puts in the place"),
         ("The weight alone. `f", "`f", 12, "say what the student reads"),
         ("`f = m*g`", "`f = m*g` is wrong", 12, "'is' stands behind a formula"),
+        ("`f = m*g`", "`f = m*g` wehre `f > 0`", 12, "did you mean where?"),
+        ("`f = m*g`", "`f = m*g", 12, "a backtick is missing"),
         ("where: `v >= 0`", "where: `v + 1`", 19, "compares nothing"),
         ("where: `v >= 0`", "where: v >= 0", 19, "a formula between backticks"),
         ("where: `v >= 0`", "where: `v >= oo*0`", 19, "not a number"),

@@ -83,7 +83,7 @@ def test_a_front_matter_that_is_refused(tmp_path, source, line, words):
         (b"", "without front matter"),
         (b"# A title\n", "without front matter"),
         (b"---\ncode: X1\n", "never ends"),
-        (b"---\ncode: \xff\xfe\n---\n", "cannot be read"),
+        (b"---\ncode: \xff\xfe\n---\n", "is not in UTF-8"),
         (b"---\ncode: X\x001\n---\n", "not YAML"),
     ],
 )
@@ -136,3 +136,31 @@ def test_what_is_no_number(text):
 @given(st.text(max_size=12))
 def test_no_text_breaks_it(text):
     assert exact(text) is None or isinstance(exact(text), Fraction)
+
+
+@pytest.mark.parametrize(
+    ("source", "line", "remedy"),
+    [
+        ("title: a: b", 2, "a text with a colon between quotation marks"),
+        ("given:\n\tm: 1", 3, "indent with blanks, not with a tab"),
+        ("title: %x", 2, "a text that begins with a sign of YAML"),
+        ("title: *x", 2, "a text that begins with * between quotation marks"),
+        ("title: 'x", 2, "a quotation mark or a bracket is not closed"),
+        ("m: {is: mass, unit: kg", 2, "close the braces"),
+        ("tags: [a b", 2, "close the brackets"),
+        ('title: "x" y', 2, "put a text with quotation marks"),
+    ],
+)
+def test_what_an_author_meant_stands_behind_the_words_of_yaml(tmp_path, source: str, line: int, remedy: str):
+    with pytest.raises(Malformed) as raised:
+        front(tmp_path, source)
+    (complaint,) = raised.value.complaints
+    assert remedy in complaint.sentence
+    assert complaint.line in (line, line + 1)
+
+
+def test_a_byte_that_is_no_utf8_is_named_with_its_line(tmp_path):
+    path = tmp_path / "a.md"
+    path.write_bytes(b"---\ntitle: x\nsource: M\xfcller\n---\n")
+    with pytest.raises(Malformed, match=r"a\.md:3: is not in UTF-8 \(byte 0xfc\); save the file"):
+        split(path)

@@ -97,7 +97,7 @@ def test_a_condition_that_will_not_do(complaints, condition, words):
         (
             "code: X1.1\ntitle: A cart\ngivens: {}",
             4,
-            "`givens` of the front matter is not known; known are alt, author, code",
+            "`givens` of the front matter is not known (did you mean given?); known are alt, author, code",
         ),
         ("code: X1.1\ntitle: A cart\ngiven: []", 4, "must hold `name: value` lines"),
         ("code: X1.1\ntitle: A cart\nwhere: {a: 1}", 4, "must be a list"),

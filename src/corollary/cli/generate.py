@@ -87,7 +87,7 @@ def run(
                 "set": problem_set.name,
                 "course": str(made.course.folder),
                 "registered": made.registered,
-                "passed_over": made.redrawn,
+                "redrawn": made.redrawn,
                 "shared": made.shared,
                 "corrections": [asdict(each) for each in found],
                 "renewed": [each.student for each in plan.sheets] if renew else [],
@@ -109,7 +109,7 @@ def run(
     print(
         f"{problem_set.title}: {count} notebook{'s' if count != 1 else ''} in {made.course.folder / 'release'}/STUDENT/{problem_set.name}/"
     )
-    print(f"{_whose_own(made)}; draws rejected: {sum(made.redrawn.values())}.")
+    print(f"{_whose_own(made)}; numbers redrawn: {sum(made.redrawn.values())}.")
     print(
         f"Hand-ins go to {made.course.folder / 'submitted'}/STUDENT/{problem_set.name}/{problem_set.name}.ipynb; then: corollary grade {problem_set.name} --course {course}"
     )

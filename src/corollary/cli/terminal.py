@@ -83,7 +83,7 @@ def countdown(what: str) -> Generator[Callable[[str, int], None]]:
 @contextmanager
 def _drawn(what: str, total: int | None, done: int) -> Generator[Callable[[str, int | None], None]]:
     if not sys.stderr.isatty():
-        yield lambda name, left: None
+        yield _lines(what, total)
         return
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
@@ -123,6 +123,27 @@ def _drawn(what: str, total: int | None, done: int) -> Generator[Callable[[str, 
         progress.stop()
         if not count:
             console.print(" " * min(len(what) + 15, console.width - 1), end="\r")
+
+
+EVERY = 10.0  # seconds between two lines of progress, where there is no terminal
+
+
+def _lines(what: str, total: int | None) -> Callable[[str, int | None], None]:
+    """Progress for a log or a pipe: `verifying: 3 of 43 (X12.5)` on standard error, at times; none from what is soon done."""
+    count, last = 0, time.monotonic()
+
+    def step(name: str, left: int | None) -> None:
+        nonlocal count, last
+        count += 1
+        now = time.monotonic()
+        if now - last < EVERY:
+            return
+        last = now
+        every = total if left is None else count + left
+        out_of = "" if every is None else f" of {every}"
+        print(f"{what}: {count}{out_of} ({name})", file=sys.stderr, flush=True)
+
+    return step
 
 
 def pace(moments: Sequence[float], left: int | None) -> str:

@@ -80,6 +80,8 @@ def formula_and_words(item: ListItem) -> tuple[str, str]:
 def clauses_of(item: ListItem) -> tuple[str, dict[str, list[str]]]:
     """The words of an item up to its first formula, and its formulas and names by the word before each: none for a law, `with`,
     `where`, `instead of "…"`."""
+    if item.text.count("`") % 2:
+        raise ValueError(f"a backtick is missing; a formula stands between two, `…`: {item.text[:80]}")
     words, mark, rest = item.text.partition("`")
     found: dict[str, list[str]] = {clause: [] for clause in CLAUSES}
     if not mark:
@@ -99,6 +101,8 @@ def clauses_of(item: ListItem) -> tuple[str, dict[str, list[str]]]:
             key = "law" if key != "with" else key
         elif piece["name"]:
             found["instead of"].append(piece["name"])
+        elif hint := did_you_mean(piece["other"], ("where", "with", "instead of")):
+            raise ValueError(f"{piece['other']!r} is no word for what stands behind a formula{hint}")
         else:
             raise ValueError(
                 f"{piece['other']!r} stands behind a formula; the words for the reader come before it (formulas among them between $), "

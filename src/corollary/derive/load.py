@@ -26,6 +26,7 @@ from corollary.derive.statements import SOLUTION
 from corollary.derive.time_limit import TooLong, keyboard, no_way_out, time_limit
 from corollary.guard import Overtime, failure_of
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank
+from corollary.problem.diagnostic import name_in_bank
 from corollary.problem.problem import Problem
 
 AUTHOR_S, AUTHOR_WALL_S = 10.0, 30.0
@@ -40,7 +41,8 @@ class NotDerivable(Exception):
 
     def __init__(self, path: Path, line: int, sentence: str):
         self.path, self.line, self.sentence = path, line, sentence
-        super().__init__(f"{path.name}:{line}: {sentence}" if line else f"{path.name}: {sentence}")
+        name = name_in_bank(path)
+        super().__init__(f"{name}:{line}: {sentence}" if line else f"{name}: {sentence}")
 
     def __reduce__(self):
         """So that it can be raised in one process and caught in another."""

@@ -23,6 +23,7 @@ from corollary.formula.errors import ParseError
 from corollary.formula.plain_text import text as written
 from corollary.formula.rational_pi import RationalPi
 from corollary.formula.syntax import author_formula
+from corollary.messages import did_you_mean
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import ONE, Dimension, Unit, read_unit, show, si_unit, unit
 
@@ -67,7 +68,9 @@ def _relation(text: str, units: Mapping[str, Unit]) -> tuple[Relation, str]:
     tree = author_formula(re.sub(QUANTITY, named, text))
     assert isinstance(tree, Relation)  # it has a sign, and no brackets around it
     if unknown := sorted(names(tree) - units.keys() - quantities.keys() - {"pi"}):
-        raise ValueError(f"{unknown[0]} is not among the givens ({', '.join(sorted(units))})")
+        raise ValueError(
+            f"{unknown[0]} is not among the givens{did_you_mean(unknown[0], units)} ({', '.join(sorted(units))})"
+        )
     if not names(tree) & units.keys():
         raise ValueError("it contains none of the givens; leave it out")
     measured = {name: its_unit.dimension for name, its_unit in units.items()}

@@ -6,6 +6,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
+SOLUTIONS = "solutions"  # the folder of a bank in which solutions stand, as its problems do in `problems`
+
+
+def name_in_bank(path: Path) -> str:
+    """A file's name as complaints have it; of a solution in text with its folders, for its problem has the same name."""
+    folders = path.parts[:-1]
+    if path.suffix != ".md" or SOLUTIONS not in folders:
+        return path.name
+    first = len(folders) - 1 - folders[::-1].index(SOLUTIONS)
+    return "/".join(path.parts[first:])
+
 
 @dataclass(frozen=True, slots=True)
 class Diagnostic:
@@ -14,7 +25,7 @@ class Diagnostic:
     sentence: str
 
     def __str__(self) -> str:
-        return f"{self.path.name}:{self.line}: {self.sentence}"
+        return f"{name_in_bank(self.path)}:{self.line}: {self.sentence}"
 
 
 class Malformed(Exception):

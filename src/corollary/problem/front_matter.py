@@ -12,6 +12,7 @@ from pathlib import Path
 
 import yaml
 
+from corollary.messages import did_you_mean
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 
@@ -39,6 +40,18 @@ class ListNode:
 Node = TextNode | TableNode | ListNode
 DEEPEST = 50
 MOST_ALIASES = 1000  # each is taken out of its line, which may be the whole file
+REMEDIES = {
+    "mapping values are not allowed": "put a text with a colon between quotation marks",
+    "found character '\\t'": "indent with blanks, not with a tab",
+    "cannot start any token": "put a text that begins with a sign of YAML (%, @, `, a tab) between quotation marks",
+    "found undefined alias": "put a text that begins with * between quotation marks",
+    "unexpected end of stream": "a quotation mark or a bracket is not closed",
+    "expected ',' or '}'": "put a comma between two entries, or close the braces; a text with a comma or brackets needs quotation marks",
+    "expected ',' or ']'": "put a comma between two entries, or close the brackets; a text with a comma or brackets needs quotation marks",
+    "expected <block end>": "indent the lines of one table alike, and put a text with quotation marks, brackets or a colon between quotation marks",
+    "could not find expected ':'": "each line is `name: value`, with a blank behind the colon",
+}
+"""What an author meant mostly, by what libyaml and PyYAML say."""
 LONG = 100_000  # characters, which take PyYAML itself, without libyaml, seconds
 
 
@@ -51,14 +64,32 @@ def split(path: Path) -> tuple[TableNode, str, int]:
         raise Malformed([Diagnostic(path, 1, "is a folder, a pipe or a device; a problem is a file")])
     try:
         lines = path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise Malformed([Diagnostic(path, 1, f"cannot be read: {error}")]) from None
+    except UnicodeDecodeError as error:
+        raise Malformed([Diagnostic(path, *not_utf8(error))]) from None
+    except OSError as error:
+        raise Malformed([Diagnostic(path, 1, f"cannot be read: {error.strerror}")]) from None
     if not lines or lines[0].strip() != "---":
         raise Malformed([Diagnostic(path, 1, "begins without front matter; the first line must be ---")])
     end = next((i for i, line in enumerate(lines[1:], 1) if line.strip() == "---"), None)
     if end is None:
         raise Malformed([Diagnostic(path, 1, "has front matter that never ends; close it with a line ---")])
     return _table(path, "\n".join(lines[1:end])), "\n".join(lines[end + 1 :]), end + 2
+
+
+def not_utf8(error: UnicodeDecodeError) -> tuple[int, str]:
+    """The line of the first byte that is no UTF-8, and what to do."""
+    line = error.object[: error.start].count(b"\n") + 1
+    return (
+        line,
+        f"is not in UTF-8 (byte {error.object[error.start]:#04x}); save the file in the encoding UTF-8",
+    )
+
+
+def _not_yaml(what: str, error: yaml.MarkedYAMLError) -> str:
+    """What is wrong in PyYAML's own words, and what an author means mostly."""
+    problem = error.problem or str(error)
+    remedy = next((words for sign, words in REMEDIES.items() if sign in problem), "")
+    return f"{what} is not YAML: {problem}{remedy and '; '}{remedy}"
 
 
 def _compose(source: str) -> yaml.Node | None:
@@ -112,7 +143,7 @@ def document(path: Path, source: str, faults: list[Diagnostic] | None = None) ->
     except yaml.YAMLError as error:
         if len(source) > LONG and isinstance(error, yaml.MarkedYAMLError) and error.problem_mark:
             line = int(error.problem_mark.line) + 1
-            raise Malformed([Diagnostic(path, line, f"the file is not YAML: {error.problem}")]) from None
+            raise Malformed([Diagnostic(path, line, _not_yaml("the file", error))]) from None
         return _document(path, source, "the file", first=1)  # which says what is wrong in PyYAML's own words
     if len(aliases) > MOST_ALIASES:
         raise Malformed(
@@ -150,7 +181,7 @@ def _document(
         raise Malformed([Diagnostic(path, first, f"{what} is nested too deeply")]) from None
     except yaml.MarkedYAMLError as error:
         line = error.problem_mark.line + first if error.problem_mark else 1
-        raise Malformed([Diagnostic(path, line, f"{what} is not YAML: {error.problem}")]) from None
+        raise Malformed([Diagnostic(path, line, _not_yaml(what, error))]) from None
     except yaml.YAMLError as error:
         raise Malformed([Diagnostic(path, 1, f"{what} is not YAML: {error}")]) from None
     if root is None:
@@ -263,8 +294,8 @@ class Reader:
         """Complains about every entry nobody asked for."""
         for name, node in self.table.entries.items():
             if name not in self.seen:
-                known = ", ".join(sorted(self.seen))
-                self.complain(node.line, f"`{name}` of {self.what} is not known; known are {known}")
+                hint, known = did_you_mean(name, self.seen), ", ".join(sorted(self.seen))
+                self.complain(node.line, f"`{name}` of {self.what} is not known{hint}; known are {known}")
 
 
 def exact(text: str) -> Fraction | None:

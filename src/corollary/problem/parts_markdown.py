@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
+from corollary.messages import did_you_mean
 from corollary.problem.diagnostic import Diagnostic
 from corollary.problem.part import Option, Part
 from corollary.units.unit import Unit, unit
@@ -126,7 +127,8 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         complain("a part needs one id of small letters and digits, such as #a or #c2")
         return None
     for name in settings.keys() - KNOWN:
-        complain(f"part {ids[0]} has an unknown attribute {name}; known are {', '.join(sorted(KNOWN))}")
+        hint, known = did_you_mean(name, KNOWN), ", ".join(sorted(KNOWN))
+        complain(f"part {ids[0]} has an unknown attribute {name}{hint}; known are {known}")
     rows, columns = (_labels(settings.get(side, "")) for side in ("rows", "columns"))
     if bool(rows) != bool(columns) or len(rows) * len(columns) > MOST_ENTRIES:
         complain(f"part {ids[0]}: a table has rows= and columns=, and at most {MOST_ENTRIES} entries in all")

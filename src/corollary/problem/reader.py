@@ -8,6 +8,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from corollary.formula.ast import ZERO, Name, Relation
+from corollary.messages import did_you_mean
 from corollary.problem.conditions import relations
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.figure import is_svg, read_lines
@@ -172,7 +173,7 @@ def _constant(
     symbol = node.text.strip() if isinstance(node, TextNode) else ""
     found = CONSTANTS.get(symbol)
     if found is None:
-        sentence = f"constants: {symbol or 'this'} is not known; choose one of {', '.join(CONSTANTS)}"
+        sentence = f"constants: {symbol or 'this'} is not known{did_you_mean(symbol, CONSTANTS)}; choose one of {', '.join(CONSTANTS)}"
         complaints.append(Diagnostic(path, node.line, sentence))
         return None
     if symbol in known:

@@ -11,7 +11,7 @@ from corollary.formula.ast import Expr, Name, Relation, names
 from corollary.formula.errors import ParseError, Undefined
 from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
-from corollary.messages import in_convention
+from corollary.messages import did_you_mean, in_convention
 from corollary.problem.conditions import angle_measured
 from corollary.problem.given import Given, decimal_places
 from corollary.problem.variant import Variant, decimals, in_print, number, with_unit
@@ -75,7 +75,7 @@ def misfit(hole: Hole, givens: Mapping[str, Given]) -> str:
     if isinstance(tree, Relation):
         return f"{{{{{hole.text}}}}} compares; a hole holds a given, or arithmetic of givens"
     if unknown := sorted(names(tree) - givens.keys() - {"pi"}):
-        return f"{{{{{unknown[0]}}}}} is not among the givens ({', '.join(sorted(givens))})"
+        return f"{{{{{unknown[0]}}}}} is not among the givens{did_you_mean(unknown[0], givens)} ({', '.join(sorted(givens))})"
     if hole.style and hole.style not in STYLES and not _figures(hole):
         return (
             f"{{{{{hole.text}}}}}: the styles are number and svg, or how many figures (1 to {MOST_FIGURES})"

@@ -13,6 +13,7 @@ from corollary.formula.ast import Expr, Relation, names
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.operators import measured
 from corollary.problem.bank import Bank
+from corollary.problem.diagnostic import name_in_bank
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter, written_apart
 from corollary.units.dimensional_analysis import Dimension, dimension_of
@@ -37,7 +38,10 @@ def check_laws(solved: SolvedDerivation, tally: Tally) -> None:
 def check_cases(bank: Bank, solution: Solution, tally: Tally) -> None:
     """Exactly one case holds, for the chapter's own numbers and for each draw."""
     problem = solution.problem
-    path, line = bank.solution(problem).name, min((each.line for each in solution.regimes), default=0)
+    path, line = (
+        name_in_bank(bank.solution(problem)),
+        min((each.line for each in solution.regimes), default=0),
+    )
     for variant in (chapter(problem), *sample(problem, DRAWS)) if solution.regimes else ():
         found = solution.regimes_at(variant.exact)
         if not tally.check(len(found) == 1, "cases"):
@@ -105,7 +109,7 @@ def _conditions(solution: Solution) -> Iterator[tuple[str, int, Relation]]:
 
 def check_obligations(bank: Bank, solution: Solution, tally: Tally, variants: int) -> None:
     """Comes after the laws were put back; `variants` are walked besides."""
-    file = bank.solution(solution.problem).name
+    file = name_in_bank(bank.solution(solution.problem))
     for found in settled(solution, variants):
         each = _as_put_back(found, tally.put_back) if found.kind == "laws hold" else found
         tally.obligations.append(each)

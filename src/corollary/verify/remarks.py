@@ -15,6 +15,7 @@ from corollary.grading.key import Key
 from corollary.grading.mistakes import ListedMistake, hidden_mistakes, numbers_tried, own_mistakes
 from corollary.grading.replay import replay
 from corollary.problem.bank import Bank
+from corollary.problem.diagnostic import name_in_bank
 from corollary.problem.packed_pictures import unused
 from corollary.problem.problem import Problem
 from corollary.verify.checked import Tally
@@ -26,7 +27,7 @@ SAME = 1e-9  # relative: doubles of one value by two ways
 
 def check_hidden_mistakes(bank: Bank, solution: Solution, tally: Tally) -> None:
     """Complain of mistakes that are the truth or have no value; note those that leave every answer as it is."""
-    file = bank.solution(solution.problem).name
+    file = name_in_bank(bank.solution(solution.problem))
     every = [each.solution for each in solution.regimes] or [solution]
     met: set[tuple[int, str]] = set()
     for one in every:
@@ -100,7 +101,7 @@ ENOUGH = 2  # mistakes of a quantity: with one alone, everything else that is wr
 
 def remark(bank: Bank, solution: Solution, key: Key, tally: Tally) -> None:
     """Notes on the givens and on the mistakes; `key` is that of the problem's own numbers."""
-    file, path = solution.problem.path.name, bank.solution(solution.problem).name
+    file, path = solution.problem.path.name, name_in_bank(bank.solution(solution.problem))
     for picture in unused(solution.problem.path):
         tally.note(
             f"{file}:1: {picture.name} is in its folder, and no problem shows it: show it, or delete it"

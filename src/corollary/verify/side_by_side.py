@@ -21,6 +21,7 @@ from corollary.derive.load import NotDerivable, source
 from corollary.messages import speak, spoken
 from corollary.parallel import NoCluster, ProcessDied, Workers, connect, cores
 from corollary.problem.bank import Bank
+from corollary.problem.diagnostic import name_in_bank
 from corollary.problem.packed_pictures import packed_file, unused
 from corollary.problem.problem import Problem
 from corollary.sandbox.folders import remove_abandoned
@@ -73,7 +74,7 @@ def _alone(place: int, todo: Todo, count: int) -> Checked:
         except ProcessDied:
             bank, problem = todo[place]
             sentence = "ends the verifying process, as os._exit or too much memory does"
-            return not_verified(problem, f"{bank.solution(problem).name}:1: {sentence}")
+            return not_verified(problem, f"{name_in_bank(bank.solution(problem))}:1: {sentence}")
 
 
 def _begin(todo: Todo, count: int) -> None:

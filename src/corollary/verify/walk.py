@@ -23,6 +23,7 @@ from corollary.grading.judge import judge
 from corollary.grading.key import Key
 from corollary.grading.neglect import neglected_in, neglects
 from corollary.problem.bank import Bank
+from corollary.problem.diagnostic import name_in_bank
 from corollary.problem.given import Given
 from corollary.problem.sampling import sample
 from corollary.problem.variant import Variant, chapter, first_broken, number, size
@@ -179,7 +180,7 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
         for letter in sorted(solution.choices[part].mistakes.keys() & letters):
             if letters[letter] == met >= MANY:
                 tally.complain(
-                    f"{bank.solution(problem).name}:{solution.choices[part].statement.line}: option {letter} of part {part} is right "
+                    f"{name_in_bank(bank.solution(problem))}:{solution.choices[part].statement.line}: option {letter} of part {part} is right "
                     f"for all of {met} variants, and has a mistake; which of both is meant?"
                 )
     own, reason = admitted(solution, chapter(problem))
@@ -238,7 +239,9 @@ def check_scenes(loaded: Loaded, key: Key, tally: Tally) -> list[tuple[Simulatio
     }
     for wanted in simulations_of(loaded, key.variant, answers, neglected_in(key)):
         run_of = check_scene(
-            wanted, f"{loaded.path.name}:{wanted.line}: scene {wanted.name} on {key.variant.label}", tally
+            wanted,
+            f"{name_in_bank(loaded.path)}:{wanted.line}: scene {wanted.name} on {key.variant.label}",
+            tally,
         )
         if run_of is not None:
             found.append((wanted, run_of))

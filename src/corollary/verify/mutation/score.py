@@ -45,6 +45,7 @@ from corollary.formula.operators import OPERATORS, as_stated, measured
 from corollary.formula.plain_text import text
 from corollary.grading.key import Key, make_key
 from corollary.laws.law import Law
+from corollary.problem.diagnostic import name_in_bank
 from corollary.problem.part import Part
 from corollary.problem.sampling import sample
 from corollary.scenes.run import Run
@@ -295,7 +296,7 @@ def score(loaded: Loaded, solution: Solution, own: Key, played: Played) -> Mutat
     every = list(_tried(loaded, solution, checks))
     counted = [each for each in every if each.by not in ("same", "undecided")]
     by = Counter(each.by for each in counted if each.by)
-    file = loaded.path.name
+    file = name_in_bank(loaded.path)
     unnoticed = [each for each in counted if not each.by]
     proposal, caught = proposed(checks, [each.laws for each in unnoticed])
     return MutationScore(

@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from corollary.derive.solution import Solution
-from corollary.formula.ast import Expr, Relation, opposite
+from corollary.formula.ast import Expr, Relation, names, opposite
 from corollary.formula.plain_text import text
 from corollary.formula.rational_pi import RationalPi
 from corollary.problem.sampling import sample
@@ -72,6 +72,12 @@ def settled(solution: Solution, variants: int) -> Iterator[Settled]:
     yield from _of_one(solution, (), variants, one_case)
     for each in solution.regimes:
         yield from _of_one(each.solution, each.conditions, variants)
+
+
+def _excluding(need: Clause) -> str:
+    """The condition that would exclude the numbers of a counter-example; "" where it says nothing of the givens."""
+    about = [each for each in need if names(each)]
+    return " or ".join(map(text, about))
 
 
 def _of_one(
@@ -281,7 +287,7 @@ class Settling:
         if each.redrawn:
             by = f"redrawn otherwise ({100 * share:.1f} % of the draws at most)" if share else REDRAWN
             return Settled(each.kind, each.claim, each.line, "sampled", by, numbers, "", share)
-        exclude = " or ".join(map(text, need)) if point else ""
+        exclude = _excluding(need) if point else ""
         return Settled(each.kind, each.claim, each.line, "counter-example", "grid", numbers, exclude, share)
 
     def _any_numbers(self) -> dict[str, str]:
@@ -310,7 +316,7 @@ class Settling:
                         for name, value in variant.values.items()
                     }
                     if not partial:
-                        exclude = " or ".join(map(text, needs[held.index(False)]))
+                        exclude = _excluding(needs[held.index(False)])
                         return Settled(
                             each.kind, each.claim, each.line, "counter-example", "a variant", numbers, exclude
                         )

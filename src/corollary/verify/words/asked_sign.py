@@ -32,6 +32,12 @@ SIGNED = re.compile(
 )
 
 
+SIGNS = re.compile(
+    r"\bsigns\b|\bmind the sign\b|\bwith (?:its|their|the) signs?\b|\bvorzeichen\b|\bfortegn\w*",
+    re.IGNORECASE,
+)
+
+
 def asks_for_magnitude(text: str, language: str = "en") -> str:
     """The words by which a question asks for what has no sign (a magnitude, a distance, a loss); "" where there are none, or where
     it says how a sign is meant."""
@@ -50,8 +56,13 @@ def _pattern(words: str) -> re.Pattern[str]:
 
 
 def magnitudes_asked(problem: Problem) -> dict[str, str]:
-    """For each part of numbers that the words ask a magnitude of: the words, and the file and line where they stand."""
+    """For each part of numbers that the words ask a magnitude of: the words, and the file and line where they stand.
+
+    None where the text above the parts says that signs count.
+    """
     found: dict[str, str] = {}
+    if SIGNS.search(problem.statement):
+        return found
     others = {code: translation(problem, code) for code in translations(problem.path)}
     for part in problem.parts:
         if not asks_for_numbers(part):
