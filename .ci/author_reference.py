@@ -40,8 +40,10 @@ def page() -> str:
 def laws() -> Iterator[str]:
     yield "## Laws\n"
     yield (
-        "From `corollary.laws`. Arguments are the problem's letters, in this order or by name; what stands behind `*` by\n"
-        'name only. Any other law is `law("Name", "a = b")`.\n'
+        "You rarely need these: write ``- law: Ohm's law, `U = R*I` `` with the equation as your book has it. A law by name saves work\n"
+        "where it lists bodies, has vectors, or carries the chapter's numbers. Its arguments are the problem's letters, in this\n"
+        "order or by name; what stands behind `*` by name only: ``- law: `momentum(p, m, v)` ``. In Python they come from\n"
+        '`corollary.laws`, and any other law is `law("Ohm\'s law", "U = R*I")`.\n'
     )
     own = [
         getattr(corollary.laws, name)

@@ -135,7 +135,7 @@ def _laws() -> Iterator[str]:
 def _gallery() -> Iterator[tuple[str, str]]:
     """The page of all problems, and one page for each."""
     text = [
-        "# Gallery\n\nEvery problem, with the numbers of its statement; each page has the worked solution behind a click.\n"
+        "# Gallery\n\nEvery problem, with the numbers of its statement. Its page has the worked solution behind a click, and beside it stands the source: problem and solution as their author wrote them.\n"
     ]
     for name, bank in _banks():
         text.append(f"\n## {name}\n")
@@ -152,11 +152,13 @@ def _gallery() -> Iterator[tuple[str, str]]:
             for problem in problems:
                 address = f"gallery/{problem.code}.html"
                 try:
-                    page, card = _page(problem, solutions), _card(problem, address)
+                    source = f"gallery/{problem.code}_source.md"
+                    page, card = _page(problem, solutions), _card(problem, address, source)
                 except Exception as error:  # of one problem: it costs the others nothing
                     LOG.warning("not in the gallery: %s: %s", problem.code, error)
                     continue
                 yield address, page
+                yield source, _source(problem, bank.solution(problem))
                 text.append(card)
             text.append("\n</div>\n")
     yield "gallery.md", "".join(text)
@@ -173,11 +175,21 @@ def _page(problem: Problem, solutions: Solutions) -> str:
     return write_exercise(exercise(variant), Student("you"), solutions.worked_solution(variant))
 
 
-def _card(problem: Problem, address: str) -> str:
+def _source(problem: Problem, solution: Path) -> str:
+    """A page of both files of a problem."""
+    kinds = {".md": "markdown", ".py": "python"}
+    blocks = (
+        f"## `{path.relative_to(path.parents[2]).as_posix()}`\n\n`````{kinds[path.suffix]}\n{path.read_text(encoding='utf-8').rstrip()}\n`````\n"
+        for path in (problem.path, solution)
+    )
+    return "\n".join((f"# {problem.code} {problem.title}: source\n", *blocks))
+
+
+def _card(problem: Problem, address: str, source: str) -> str:
     asked = exercise(chapter(problem))
     figure = (
         f'<img src="{drawing_address(asked)}" alt="{html.escape(asked.figure_alt, quote=True)}">'
         if asked.figure
         else ""
     )
-    return f"-   [**{problem.code}** {problem.title}]({address})\n\n    {figure}\n\n"
+    return f"-   [**{problem.code}** {problem.title}]({address})\n\n    {figure}\n\n    [Source]({source})\n\n"

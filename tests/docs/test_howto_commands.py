@@ -56,6 +56,7 @@ ELSEWHERE = {
     "howto/print_sheets.md",
     "howto/compose_a_scene.md",
     "howto/audit_an_answer_key.md",
+    "howto/add_an_answer_type.md",
 }  # tests of their own
 NOT_RUN = {
     r"--reveal": "needs a set with `reveal: by hand` (tests/cli)",
