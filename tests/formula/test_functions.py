@@ -35,6 +35,7 @@ BY_MPMATH = {
     "abs": mpmath.fabs, "ln": mpmath.log, "min": min, "max": max, "sqrt": mpmath.sqrt, "sin": mpmath.sin, "cos": mpmath.cos,
     "tan": mpmath.tan, "asin": mpmath.asin, "acos": mpmath.acos, "atan": mpmath.atan, "atan2": mpmath.atan2, "exp": mpmath.exp,
     "log10": mpmath.log10, "sinh": mpmath.sinh, "cosh": mpmath.cosh, "tanh": mpmath.tanh, "gamma": mpmath.gamma,
+    "floor": mpmath.floor, "ceil": mpmath.ceil, "round": lambda x: mpmath.floor(x + mpmath.mpf(1) / 2),
 }  # fmt: skip
 HALVES = (Fraction(1, 2), Fraction(3, 4))  # where every one of them has a value
 
@@ -96,7 +97,21 @@ def test_the_derivatives_are_those_of_the_function(name, x, y):
 
 def test_the_functions_of_angles_and_the_like_have_bounds_in_doubles():
     bounded = {name for name, row in FUNCTIONS.items() if INTERVALS.column(row) is not None}
-    assert bounded == {"abs", "acos", "asin", "atan", "cos", "ln", "max", "min", "sin", "sqrt", "tan", "tanh"}
+    steps = {"ceil", "floor", "round"}
+    assert bounded == steps | {
+        "abs",
+        "acos",
+        "asin",
+        "atan",
+        "cos",
+        "ln",
+        "max",
+        "min",
+        "sin",
+        "sqrt",
+        "tan",
+        "tanh",
+    }
 
 
 @pytest.mark.parametrize(

@@ -57,6 +57,22 @@ def test_a_function_encloses_the_value_and_little_else(name, count):
         assert off <= max(abs(float(exact)), min(1.0, abs(number))), (name, number)
 
 
+@pytest.mark.parametrize("number", ["7/2", "-7/2", "3", "-3", "299999/100000", "1/1000000", "12345678901/7"])
+def test_a_floor_is_the_whole_number_below(number):
+    with bits(64):
+        ours = (plain_arb.arb(Fraction(number).numerator) / Fraction(number).denominator).floor()
+    assert ours.is_integer()
+    assert int(float(ours)) == math.floor(Fraction(number))
+
+
+def test_the_floor_of_a_ball_across_a_step_holds_both_whole_numbers():
+    found = plain_arb.arb(2.875, 0.25).floor()
+    assert found.contains(2)
+    assert found.contains(3)
+    assert not found.contains(1)
+    assert not found.contains(4)
+
+
 def test_of_a_wide_ball_the_values_of_both_ends_are_enclosed():
     draw = random.Random(4).uniform
     for _ in range(60):

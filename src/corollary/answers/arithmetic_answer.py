@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
-from corollary.formula.abbreviations import ABBREVIATIONS, arity, function_words
+from corollary.formula.abbreviations import ABBREVIATIONS, arity, calculator_words
 from corollary.formula.arithmetics import DOUBLES, ready
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Product, Quotient, Sum, calls, walk
 from corollary.formula.errors import ParseError, ambiguous, refused
@@ -60,7 +60,7 @@ class Worked:
 @cache
 def _units_behind(functions: tuple[str, ...], euler: bool = False) -> re.Pattern[str]:
     """Units behind a factor: `kg`, `m/s^2`, `* m/(kg s)`. A function of several numbers (min) is one before its bracket only."""
-    known = function_words()
+    known = calculator_words()
     words = [
         rf"{word}(?=\s*\()" if word in ABBREVIATIONS or arity(known[word]) > 1 else word for word in functions
     ]
@@ -222,7 +222,7 @@ def _sign(
     if (
         last in FACTOR_ENDS
         and last != "unit"
-        and (found := _units_behind(tuple(function_words()), euler).match(text, at))
+        and (found := _units_behind(tuple(calculator_words()), euler).match(text, at))
     ):
         unit = read_unit(found[0].strip().lstrip("*"))
         if isinstance(unit, Unit):
@@ -250,7 +250,7 @@ def _sign(
         tight = text[at - 1 : at] != " "
         if word[0] in ("pi", "π", "Pi", "PI"):
             return [Token("name", "pi", at, tight)], word.end()
-        spellings = function_words()
+        spellings = calculator_words()
         known = next((each for each in word.group(0, "short", "letters") if each in spellings), None)
         if (
             known is None

@@ -11,7 +11,7 @@ from functools import cache
 
 from corollary.answers.name import CUSTOMARY, SYMBOL, apart, is_name, is_talk, keyboard
 from corollary.answers.question import Question
-from corollary.formula.abbreviations import function_words
+from corollary.formula.abbreviations import calculator_words
 from corollary.formula.ast import TWO, Call, Expr, Number, Power, Product, Quotient, walk
 from corollary.formula.ast import names as letters_of
 from corollary.formula.errors import ParseError
@@ -80,7 +80,7 @@ def solvable(side: str, question: Question | None = None) -> Solved | None:
         size = -size if found["sign"] == "-" else size
         return Solved(found["name"], 1 / size) if size and is_name(found["name"], question) else None
     if (found := CALL.fullmatch(side)) is not None:
-        function = "sqrt" if found["function"] == "√" else function_words().get(found["function"], "")
+        function = "sqrt" if found["function"] == "√" else calculator_words().get(found["function"], "")
         name = found["inside"] or found["bare"] or found["root"]
         return Solved(name, function=function) if function in INVERSES and is_name(name, question) else None
     return None
@@ -200,7 +200,7 @@ def _letters_in(side: str, givens: Mapping[str, Dimension]) -> Collection[str]:
     found = set(givens)
     for run in re.findall(r"(?:(?:delta|Delta|[Δ∆])\s*)?[^\W\d_](?:_\{\w+\}|\w)*", side):
         name = re.sub(r"[^A-Za-z0-9_]", "", keyboard(run))
-        if name in function_words() or name == "pi":
+        if name in calculator_words() or name == "pi":
             continue
         found |= (
             {name}
@@ -267,7 +267,7 @@ def turns(found: Solved | None) -> bool:
 def is_calculation(side: str) -> bool:
     """True for a side of numbers, operators and functions alone: `8.6/0`, `sqrt(-1)`."""
     return re.search(r"\d", side) is not None and all(
-        word in function_words() for word in re.findall(r"[^\W\d_]+", side)
+        word in calculator_words() for word in re.findall(r"[^\W\d_]+", side)
     )
 
 

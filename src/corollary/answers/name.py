@@ -6,7 +6,7 @@ import re
 
 from corollary.answers.changing_words import OF_CHANGE
 from corollary.answers.question import Question
-from corollary.formula.abbreviations import function_words
+from corollary.formula.abbreviations import calculator_words
 from corollary.formula.numerals import VULGAR
 from corollary.formula.symbols import GREEK, LOWERED
 from corollary.units.unit import ONE, unit
@@ -28,7 +28,7 @@ GREEK_WORDS = sorted(
 )
 ONE_LETTER = rf"(?:[^\W\d_]|{'|'.join(GREEK_WORDS)})"
 GLUED = re.compile(
-    rf"(?P<function>{'|'.join(sorted({*function_words(), 'abs'}, key=len, reverse=True))})(?P<letter>{ONE_LETTER}(?:_\w+|[0-9₀-₉'])?)"
+    rf"(?P<function>{'|'.join(sorted({*calculator_words(), 'abs'}, key=len, reverse=True))})(?P<letter>{ONE_LETTER}(?:_\w+|[0-9₀-₉'])?)"
 )
 HEAD = re.compile(
     rf"(?:(?!(?:{'|'.join(GREEK_WORDS)})(?![^\W\d_]))(?P<change>Delta|delta|[Δ∆∑ΣδdD])(?=[^\W\d_]))?(?P<letter>{'|'.join(GREEK_WORDS)}|[^\W\d_])"
@@ -56,7 +56,7 @@ def is_name(side: str, question: Question | None = None) -> bool:
 
     Letters side by side are none: `mv`, `Fv`, `cosθ`, `½F`; nor is a word that changes a value, such as `half`.
     """
-    if NAME.fullmatch(side) is None or side.partition("(")[0].strip().lower() in function_words():
+    if NAME.fullmatch(side) is None or side.partition("(")[0].strip().lower() in calculator_words():
         return False
     side = re.sub(r"^\s*\((.*)\)\s*$", r"\1", side)  # `(F)`, as `\langle F\rangle` is written
     run = re.sub(r"\([^()]*\)\s*$", "", side).strip().strip("|<>⟨⟩[]() ")
@@ -107,7 +107,7 @@ def _is_one(run: str, question: Question | None) -> bool:
 def is_talk(side: str, question: Question | None = None) -> bool:
     """True for words such as `change in momentum`; a function's name (`sin theta`) or letters side by side (`m v`) are none."""
     words = side.replace(",", " ").split()
-    if not all(WORD.fullmatch(word) for word in words) or set(words) & function_words().keys():
+    if not all(WORD.fullmatch(word) for word in words) or set(words) & calculator_words().keys():
         return False
     if any(word.lower().rstrip("'’.") in OF_CHANGE for word in words):
         return False

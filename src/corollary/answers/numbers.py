@@ -21,7 +21,7 @@ from corollary.answers.machine_number import exact, machine, sure
 from corollary.answers.quantity import Reading, read_quantity
 from corollary.answers.question import Question
 from corollary.answers.unit_meant import STANDARD_GRAVITY
-from corollary.formula.abbreviations import function_words
+from corollary.formula.abbreviations import calculator_words
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.value import (
     Complex,
@@ -201,7 +201,7 @@ def _words_before(text: str, question: Question) -> str:
     found = WORDS_BEFORE.match(text)
     if found is None or len(text) > LONGEST_WITH_WORDS:
         return ""
-    known = function_words().keys() | set(question.symbol_names)
+    known = calculator_words().keys() | set(question.symbol_names)
     words = found["words"].split()
     return "" if any(word in known for word in words) else found["words"]
 

@@ -17,7 +17,7 @@ from corollary.answers.question import Question
 from corollary.answers.remark import HARMLESS
 from corollary.answers.sign_words import SIGNS
 from corollary.answers.unit_meant import unit_meant
-from corollary.formula.abbreviations import function_words
+from corollary.formula.abbreviations import calculator_words
 from corollary.formula.value import Items, Text, Value
 from corollary.units.unit import ONE, Dimension, Unit, unit
 
@@ -309,7 +309,7 @@ def _part_ratios() -> frozenset[str]:
 def _harmless() -> frozenset[str]:
     lists = f"{TALK} {ABOUT} {PASSED_OVER} {RECKONED} {COUNTED}".lower().split()
     names = (word.lower() for each in GREEK_WORDS for word in (each, f"var{each}"))
-    return frozenset({*HARMLESS, *lists, *SIGNS, *NUMBERS, *POWERS, *names, *function_words()}) - set(
+    return frozenset({*HARMLESS, *lists, *SIGNS, *NUMBERS, *POWERS, *names, *calculator_words()}) - set(
         f"{OF_ANOTHER} {BODIES}".split()
     )
 

@@ -12,7 +12,7 @@ from corollary.answers.name import SYMBOL
 from corollary.answers.number_words import NUMBERS
 from corollary.answers.remark import BECAUSE, HARMLESS
 from corollary.answers.sign_words import SIGNS
-from corollary.formula.abbreviations import function_words
+from corollary.formula.abbreviations import calculator_words
 from corollary.units.unit import Unit, read_unit
 
 QUOTES = "\"'“”„‟«»‹›`*_"  # also those of Markdown
@@ -256,7 +256,7 @@ def _clause(text: str) -> int:
         or not any(len(word) > 3 for word in words)
         or (len(words) < 3 and any(_is_unit(word) for word in words) and small[0] not in ("it", "he", "she"))
         or any(_is_unit(word) for before, word in pairwise(small) if before in ("in", "unit", "units"))
-        or words[-1] in function_words()
+        or words[-1] in calculator_words()
     ):
         return 0
     return found.end()

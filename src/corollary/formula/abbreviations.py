@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from corollary.formula.ast import ONE, TWO, Call, Expr, Name, Negative, Number, Power, Product, Quotient, Sum
-from corollary.formula.functions import FUNCTIONS, SPELLINGS
+from corollary.formula.functions import FUNCTIONS, SPELLINGS, steps
 
 DEGREE = Quotient(Name("pi"), Number(Fraction(180)))
 
@@ -83,6 +83,11 @@ ABBREVIATIONS = {name: row for names, row in ROWS.items() for name in names.spli
 def function_words() -> dict[str, str]:
     """Everything that may be typed for a function, and what it is called here."""
     return {name: name for name in ABBREVIATIONS} | SPELLINGS
+
+
+def calculator_words() -> dict[str, str]:
+    """The same without steps: `floor` and `round` are words of the language, and functions before a bracket only."""
+    return {word: name for word, name in function_words().items() if name not in steps()}
 
 
 def arity(function: str) -> int:

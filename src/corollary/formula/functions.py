@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from corollary.formula.errors import Undefined
 from corollary.formula.rational_pi import (
@@ -50,6 +50,7 @@ class Function:
     slope: a bound on the derivative anywhere, where there is one.
     branches: whether it loses a sign or chooses: two formulas with it may be equal on one side only.
     angle: whether it takes an angle, for which a bare number says neither degrees nor radians.
+    step: where it jumps between whole numbers: at whole numbers ("whole") or half way between them ("half"); "" where it does not.
     tex: what TeX calls it, or a form in which # stands for the argument; left out, its name.
     sympy: its name in sympy, or what makes sympy's expression of it; left out, its name.
     array: its name in numpy (which may lack it); left out, its name.
@@ -66,6 +67,7 @@ class Function:
     slope: int | None = None
     branches: bool = False
     angle: bool = False
+    step: Literal["", "whole", "half"] = ""
     tex: str = ""
     sympy: str | Callable[..., Any] = ""
     array: str = ""
@@ -123,6 +125,40 @@ def _gamma(ball: arb) -> arb:
     if ball <= 0 and ball.is_integer():
         raise Undefined("the gamma function has no value at 0, -1, -2 …")
     return ball.gamma()
+
+
+def _rounded_down(number: Fraction) -> Fraction:
+    return Fraction(math.floor(number))
+
+
+def _rounded_up(number: Fraction) -> Fraction:
+    return Fraction(math.ceil(number))
+
+
+def _rounded(number: Fraction) -> Fraction:
+    """The nearest whole number; the larger one of a half."""
+    return Fraction(math.floor(number + HALF))
+
+
+def _whole(nearest: Callable[[Fraction], Fraction]) -> Callable[[RationalPi], RationalPi | None]:
+    """A step function of fractions; of a multiple of pi a ball tells."""
+    return lambda x: RationalPi(nearest(x.ratio)) if not x.pi else None
+
+
+def _round_in_sympy(x: Any) -> Any:
+    import sympy
+
+    return sympy.floor(x + sympy.Rational(1, 2))
+
+
+NARROW = 1e-3  # of a ball across a step: a number not known well enough to say on which side it lies
+
+
+def _floor(ball: arb) -> arb:
+    """The whole numbers below those of the ball; nothing is known of a number next to a step."""
+    if not ball.is_integer() and ball.contains_integer() and ball.upper() - ball.lower() < NARROW:
+        return type(ball)("nan")
+    return ball.floor()
 
 
 def _log10_in_sympy(x: Any) -> Any:
@@ -282,5 +318,40 @@ for _row in (
         sympy="Max",
         array="maximum",
     ),
+    Function(
+        "floor",
+        lambda x: float(math.floor(x)),
+        _floor,
+        exact=_whole(_rounded_down),
+        branches=True,
+        step="whole",
+        tex=r"\left\lfloor #\right\rfloor",
+    ),
+    Function(
+        "ceil",
+        lambda x: float(math.ceil(x)),
+        lambda x: -_floor(-x),
+        spellings=("ceiling",),
+        exact=_whole(_rounded_up),
+        branches=True,
+        step="whole",
+        tex=r"\left\lceil #\right\rceil",
+        sympy="ceiling",
+    ),
+    Function(
+        "round",
+        lambda x: float(math.floor(x + 0.5)),
+        lambda x: _floor(x + 0.5),
+        exact=_whole(_rounded),
+        branches=True,
+        step="half",
+        tex=r"\operatorname{round}\left(#\right)",
+        sympy=_round_in_sympy,
+    ),
 ):
     register(_row)
+
+
+def steps() -> frozenset[str]:
+    """The functions that jump between whole numbers."""
+    return frozenset(name for name, row in FUNCTIONS.items() if row.step)

@@ -9,6 +9,7 @@ from corollary.formula.arithmetics import constant
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
 from corollary.formula.degrees import degrees
 from corollary.formula.errors import ParseError, ambiguous
+from corollary.formula.functions import steps
 from corollary.formula.lexer import LARGEST_EXPONENT, Token
 from corollary.formula.line import Lean, Line, Stop, ask, refuse, unexpected
 from corollary.formula.plain_text import text
@@ -274,7 +275,7 @@ def _call(line: Line, token: Token) -> Expr:
         power = _power_of_function(line, function)
     if line.next.kind == "open":
         call = applied(function, _arguments(line, function))
-    elif line.student:
+    elif line.student and function not in steps():  # "round", "floor" are words, too
         call = applied(function, (_bare_argument(line, function),))
     else:
         refuse(

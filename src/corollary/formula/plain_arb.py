@@ -267,6 +267,13 @@ class DyadicBall(ABC):
     def __rtruediv__(self, other: float) -> Self:
         return self._same(other) / self
 
+    def floor(self) -> Self:
+        """The whole numbers that the numbers of the ball are rounded down to."""
+        if self.off < 0 or self.exponent >= 0:
+            return self
+        low, high = self.whole - self.off >> -self.exponent, self.whole + self.off >> -self.exponent
+        return self.of(low) if low == high else self.between(self.of(low), self.of(high))
+
     @abstractmethod
     def sqrt(self) -> Self: ...
 

@@ -15,6 +15,7 @@ from corollary.derive.solution import Solution
 from corollary.formula.ball import Undefined
 from corollary.grading.key import Key, make_key, named
 from corollary.grading.mistakes import visible_mistakes
+from corollary.grading.near_steps import near_steps
 from corollary.grading.replay import exchanged
 from corollary.grading.rounding import MOST_TOLERANCE
 from corollary.problem.part import Part
@@ -94,7 +95,9 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
         part, one, other = same
         return None, f"part {part}: options {one} and {other} print alike"
     for part, number in not_whole(key):
-        return None, f"part {part}: {number} is not a whole number, and a count is asked for"
+        return None, f"part {part}: {number} is not a whole number, and one is asked for"
+    for part, argument in near_steps(key):
+        return None, f"part {part}: {argument} is too near a step: rounding would decide the whole number"
     for part, number in implausible(key):
         return None, f"part {part}: {number} is not plausible"
     for part, text in collisions(key):
@@ -116,10 +119,10 @@ def options_alike(variant: Variant, parts: Iterable[Part] | None = None) -> Iter
 
 
 def not_whole(key: Key) -> Iterable[tuple[str, str]]:
-    """Answers to parts that ask for a count, and come to none."""
+    """Answers to parts that ask for a whole number, and come to none."""
     for part in key.variant.problem.parts:
-        if part.answer_type == "count" and part.id in key.truths:
-            (value,) = key.truths[part.id].values
+        if part.answer_type in ("count", "integer") and part.id in key.truths:
+            (value,) = map(part.unit.from_si, key.truths[part.id].values)
             if not math.isclose(value, round(value), rel_tol=SAME):
                 yield part.id, f"{value:.6g}"
 

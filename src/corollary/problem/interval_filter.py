@@ -72,6 +72,19 @@ def _power(x: Interval, p: Interval) -> Interval:
     return _rounded(value, np.where(low > 0, value * np.expm1(grown), np.inf) + SLACK * value)
 
 
+def _step(row: Function) -> Callable[[Interval], Interval]:
+    """Of a step function the values at both ends of where its argument may lie: it never falls."""
+
+    def apply(x: Interval) -> Interval:
+        end = _rounded(x.value, x.radius)
+        half = 0.5 if row.step == "half" else 0.0
+        of = np.ceil if row.name == "ceil" else np.floor
+        low, high = of(end.value - end.radius + half), of(end.value + end.radius + half)
+        return _rounded((low + high) / 2, (high - low) / 2)
+
+    return apply
+
+
 def _of_rounded(row: Function) -> Callable[..., Interval] | None:
     """A function of doubles with bounds, from what its row says of its slope; None where that bounds nothing.
 
@@ -82,6 +95,8 @@ def _of_rounded(row: Function) -> Callable[..., Interval] | None:
         row.name == "sqrt"
     ):  # its slope is infinite at 0, where conditions such as sqrt(a) <= b are often decided
         return _sqrt
+    if row.step:
+        return _step(row)
     of_array = getattr(np, row.array or row.name, None)
     slopes = [author_formula(derivative) for derivative in row.derivatives]
     called = {call.function for slope in slopes for call in calls(slope)}

@@ -39,6 +39,7 @@ SHARING = (
 WHOLE = (
     "value",
     "count",
+    "integer",
     "vector",
 )  # answer types that are one thing: a vector is as near as its length says
 LEAST_SPAN = math.log(2)

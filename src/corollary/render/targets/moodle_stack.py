@@ -17,6 +17,8 @@ from corollary.render.targets import moodle
 FUNCTIONS: Final = {
     **{name: name for name in ("sqrt", "abs", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "ln")},
     "log10": "lg",
+    "floor": "floor",
+    "ceil": "ceiling",
 }
 """What STACK calls the functions that it has."""
 CONSTANTS: Final = frozenset({"e", "i", "%e", "%i", "%pi", "inf", "infinity"})

@@ -22,12 +22,15 @@ from corollary.formula.ast import (
     Quotient,
     Relation,
     Sum,
+    calls,
     children,
     names,
     opposite,
     substitute,
 )
+from corollary.formula.functions import FUNCTIONS
 from corollary.formula.operators import has_operators
+from corollary.formula.plain_text import text
 from corollary.grading.assign import APART
 from corollary.grading.mistakes import own_mistakes, visible_mistakes
 from corollary.grading.rounding import MOST_TOLERANCE
@@ -57,6 +60,8 @@ def not_zero(solution: Solution) -> Iterator[Obligation]:
     for find in solution.unknowns:
         if find.part and find.in_givens is not None:
             part = next(each for each in solution.problem.parts if each.id == find.part)
+            if part.answer_type in ("count", "integer"):
+                continue  # a whole number is exact: 0 needs nothing to be compared with
             zero = Number(Fraction(part.unit.offset))
             sizes: list[Expr] = [
                 Sum((tree, Negative(zero))) if zero.value else tree for tree in find.in_givens
@@ -69,6 +74,19 @@ def not_zero(solution: Solution) -> Iterator[Obligation]:
             )
             claim = f"part {find.part} is not zero" + (", or has a scale" if find.scale is not None else "")
             yield Obligation("not zero", claim, find.statement.line, ((need,),), redrawn=True)
+
+
+def off_steps(solution: Solution) -> Iterator[Obligation]:
+    """The argument of each floor, ceil and round is where it does not jump; numbers near a step are redrawn."""
+    for find in solution.unknowns:
+        for call in dict.fromkeys(each for tree in find.in_givens or () for each in calls(tree)):
+            if step := FUNCTIONS[call.function].step:
+                (argument,) = call.arguments
+                turned = Product((Name("pi"), argument))
+                apart = Call("sin" if step == "whole" else "cos", (turned,))
+                claim = f"{text(argument)} is no step of {call.function}"
+                need = Relation("!=", apart, ZERO)
+                yield Obligation("no step", claim, find.statement.line, ((need,),), redrawn=True)
 
 
 def needed(tree: Expr) -> Iterator[Relation]:

@@ -9,7 +9,10 @@ from typing import Literal
 from corollary.formula.ast import Expr, Relation
 
 Outcome = Literal["proven", "counter-example", "sampled", "undecided"]
-Kind = Literal["laws hold", "value exists", "one root", "not zero", "not created", "one case", "mistake apart", "mistakes differ", "claimed sign", "claimed"]  # fmt: skip
+Kind = Literal[
+    "laws hold", "value exists", "no step", "one root", "not zero", "not created", "one case", "mistake apart", "mistakes differ",
+    "claimed sign", "claimed",
+]  # fmt: skip
 Clause = tuple[Relation, ...]
 """Relations of which one must hold at least."""
 REDRAWN = "redrawn otherwise"  # how what is checked whenever numbers are dealt is settled

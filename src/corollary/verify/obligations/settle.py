@@ -29,6 +29,7 @@ from corollary.verify.obligations.claims import (
     not_created,
     not_zero,
     of_claimed_sign,
+    off_steps,
     one_case,
     only_roots,
 )
@@ -55,6 +56,7 @@ def obligations(solution: Solution) -> Iterator[Obligation]:
     yield from one_case(solution)
     yield from laws_hold(solution)
     yield from existing(solution)
+    yield from off_steps(solution)
     yield from only_roots(solution)
     yield from not_created(solution)
     yield from not_zero(solution)
