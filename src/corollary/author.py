@@ -12,7 +12,15 @@ import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.beside import LazyModule, program_text
-from corollary.derive.derivation import Branch, Case, Cases, Entry, branches
+from corollary.derive.derivation import (
+    Branch,
+    Case,
+    Cases,
+    StatedEntry,
+    branches,
+    one_by_one,
+    one_for_each_part,
+)
 from corollary.derive.simulation import NONE, Seen, Simulation
 from corollary.derive.stated_words import along as along
 from corollary.derive.stated_words import always as always
@@ -58,9 +66,9 @@ HALF_PI = sympy.pi / 2
 oo = sympy.oo
 
 
-def derivation(*entries: Entry | Cases) -> tuple[Branch, ...]:
+def derivation(*entries: StatedEntry | Cases) -> tuple[Branch, ...]:
     """The whole solution, in the order in which things are found."""
-    return branches(entries)
+    return branches(list(one_by_one(entries)))
 
 
 def cases(*stated: Case) -> Cases:
@@ -68,16 +76,17 @@ def cases(*stated: Case) -> Cases:
     return Cases(stated, line_of_word())
 
 
-def case(text: str, condition: Boolean, *entries: Entry) -> Case:
+def case(text: str, condition: Boolean, *entries: StatedEntry) -> Case:
     """One regime: what the student reads of it, when it holds, and the steps that are taken then."""
-    return Case(text, as_condition(condition), entries, line_of_word())
+    found = tuple(each for each in one_by_one(entries) if not isinstance(each, Cases))
+    return Case(text, as_condition(condition), found, line_of_word())
 
 
 def step(
     unknowns: Unknowns,
     because: str,
     *laws: Law,
-    answers: str = "",
+    answers: str | Mapping[str, Unknowns] = "",
     also: Sequence[sympy.Symbol] = (),
     where: Boolean | bool = True,
     reject: Sequence[Rejected] = (),
@@ -85,10 +94,13 @@ def step(
     routes: Sequence[Route[Law]] = (),
     check: str = "",
     scale: sympy.Expr | None = None,
-) -> Step:
-    """Finds something because of laws; `answers` names the part it answers, `where` says which root is meant."""
-    return Step(
-        Statement(answers, because, line_of_word(), check),
+) -> Step | tuple[Step, ...]:
+    """Finds something because of laws; `answers` names the part it answers, or the unknowns that answer each of several parts,
+    `{"a": F, "b": (v_x, v_y)}`; `where` says which root is meant."""
+    several = {part: _tuple(each) for part, each in answers.items()} if isinstance(answers, Mapping) else {}
+    part = answers if isinstance(answers, str) else ""
+    stated = Step(
+        Statement(part, because, line_of_word(), check),
         _tuple(unknowns),
         only_laws(laws),
         tuple(also),
@@ -98,6 +110,7 @@ def step(
         tuple(routes),
         None if scale is None else as_expression(scale),
     )
+    return one_for_each_part(stated, several) if several else stated
 
 
 def mistake(
@@ -266,7 +279,9 @@ def neglected(
     asked: bool = False,
 ) -> Neglected[Step, Supposed]:
     """What the answer of a part leaves out: `bound` is the most by which it can change the answer, found from laws like any unknown."""
-    return Neglected(what, step(bound, because, *laws, answers=part, also=also), tuple(supposing), asked)
+    words = Statement(part, because, line_of_word())
+    found = Step(words, (bound,), only_laws(laws), tuple(also), True, (), (), (), None)
+    return Neglected(what, found, tuple(supposing), asked)
 
 
 def supposed(name: str, text: str, why: str) -> tuple[sympy.Symbol, Supposed]:

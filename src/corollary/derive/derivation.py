@@ -4,8 +4,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
@@ -85,6 +85,36 @@ class Derivation:
 MOST_WAYS = 8  # in which a condition can hold: each is proven by itself
 
 
+def one_for_each_part(step: Step, answers: Mapping[str, tuple[sympy.Symbol, ...]]) -> tuple[Step, ...]:
+    """A step as one step for each part that it answers, and one for what no part asks for: the same laws, in which the others'
+    unknowns are unknowns that this one needs. Raises ValueError."""
+    if not answers:
+        return (step,)
+    found = [each for unknowns in answers.values() for each in unknowns]
+    twice = [each for each in found if found.count(each) > 1]
+    if strange := [each for each in found if each not in step.unknowns]:
+        raise ValueError(f"{strange[0]} answers a part, and is none of the unknowns of the step")
+    if twice:
+        raise ValueError(f"{twice[0]} answers a part, and answers it twice; name it once")
+    rest = tuple(each for each in step.unknowns if each not in found)
+    system = tuple(each.name for each in step.unknowns)
+    places = [*answers.items(), *([("", rest)] if rest else [])]
+    return tuple(
+        replace(
+            step,
+            statement=replace(
+                step.statement,
+                part=part,
+                system=system,
+                check=step.statement.check if place == len(places) - 1 else "",
+            ),
+            unknowns=unknowns,
+            also=(*(each for each in step.unknowns if each not in unknowns), *step.also),
+        )
+        for place, (part, unknowns) in enumerate(places)
+    )
+
+
 @dataclass(frozen=True, slots=True)
 class Case:
     """One regime: what the student reads, when it holds, and how things are found then."""
@@ -110,6 +140,19 @@ class Branch:
     case: Case | None
     derivation: Derivation
     before: int
+
+
+StatedEntry = Entry | tuple[Step, ...]
+"""An entry, or the steps that one statement makes."""
+
+
+def one_by_one(stated: Iterable[StatedEntry | Cases]) -> Iterator[Entry | Cases]:
+    """The entries without the tuples around some."""
+    for each in stated:
+        if isinstance(each, tuple):
+            yield from each
+        else:
+            yield each
 
 
 def branches(entries: Sequence[Entry | Cases]) -> tuple[Branch, ...]:

@@ -12,7 +12,17 @@ from typing import Any, cast
 import sympy
 
 from corollary.derive.beside import LazyModule, program_text
-from corollary.derive.derivation import Always, Branch, Case, Cases, Entry, Limit, Special, branches
+from corollary.derive.derivation import (
+    Always,
+    Branch,
+    Case,
+    Cases,
+    Entry,
+    Limit,
+    Special,
+    branches,
+    one_for_each_part,
+)
 from corollary.derive.formula_text import LetterTable, is_call, parted
 from corollary.derive.item_clauses import (
     ALLOWED,
@@ -54,14 +64,11 @@ from corollary.derive.statements import (
     Step,
     Supposed,
 )
+from corollary.derive.step_heading import CASE, step_heading
 from corollary.formula.authored import NotTyped
 from corollary.laws.law import Law, Meaning, known_by_name
 from corollary.messages import did_you_mean
 
-TITLE = re.compile(r"(?:\((?P<part>\w+)\)\s*)?(?P<letters>[^:]*?)(?::\s*(?P<meaning>.*))?$")
-LETTERS = re.compile(r"[A-Za-z]\w*(?:\s*,\s*[A-Za-z]\w*)*$")
-CASE = re.compile(r"[Cc]ase:?\s+(?P<text>.*?),?\s+(?:if|when)\s+`(?P<condition>[^`]+)`$")
-CHECKS = "Checks"
 OPTION = re.compile(
     r"\((?P<option>\w+)\)\s+is\s+(?P<right>right|wrong)(?:\s+if\s+`(?P<condition>[^`]+)`)?(?::\s+(?P<text>.*))?$"
 )
@@ -199,7 +206,8 @@ class SolutionReader:
 
     def _declare(self, section: Section) -> None:
         """The letters that a section finds, or needs."""
-        _part, letters, meaning = self._title(section)
+        heading = step_heading(section)
+        letters, meaning = heading.letters, heading.meaning
         with _at(section.line):
             if given := [letter for letter in letters if letter in self.givens]:
                 raise ValueError(f"{given[0]} is a given; call the unknown by another letter")
@@ -211,43 +219,37 @@ class SolutionReader:
         for item in section.items:
             with _at(item.line):
                 if item.key == "letter":
-                    letters, words = formula_and_words(item)
-                    self._vector([each.strip() for each in parted(letters)], words)
+                    named, words = formula_and_words(item)
+                    self._vector([each.strip() for each in parted(named)], words)
                 elif item.key == "also":
-                    letters = [each.strip() for each in parted(formula_of(item))]
-                    self._vector([each for each in letters if each not in self.table.meanings])
-
-    def _title(self, section: Section) -> tuple[str, list[str], str]:
-        found = TITLE.match(section.title)
-        if CASE.match(section.title) or section.title == CHECKS or not found:
-            return "", [], ""
-        letters = found["letters"].strip().replace("`", "")
-        odd = letters.casefold() in ("case", "check") or (found["meaning"] and not letters)
-        if odd or (letters and not LETTERS.match(letters)):
-            raise MarkdownError(
-                section.line,
-                f"a heading is a part in brackets and the unknowns that are found, such as (a) v or v_A, v_B; a case, "
-                f"such as Case: it rests, if `F <= mu*N`; or {CHECKS}; this is {section.title!r}",
-            )
-        return (
-            found["part"] or "",
-            [each.strip() for each in letters.split(",") if each],
-            found["meaning"] or "",
-        )
+                    beside = [each.strip() for each in parted(formula_of(item))]
+                    self._vector([each for each in beside if each not in self.table.meanings])
 
     # sections
 
     def _entries(self, section: Section) -> list[Entry]:
-        part, letters, _meaning = self._title(section)
+        heading = step_heading(section)
+        part, letters = heading.part, heading.letters
         kind = _kind(section, part, letters)
         self._allowed(section, kind)
         names = tuple(self.table.symbol(letter) for letter in letters)
+        if heading.answers and kind != "step":
+            raise MarkdownError(
+                section.line, f"only the laws of a step answer several parts at once; this is {kind}"
+            )
         check = " ".join(item.text for item in section.items if item.key == "check")
         statement = Statement(part, section.paragraph, section.line, check)
         found: list[Entry] = []
         if kind != "checks":
-            entry: Callable[[Section, Statement, tuple[sympy.Symbol, ...]], Entry] = getattr(self, f"_{kind}")
-            found.append(entry(section, statement, names))
+            read: Callable[[Section, Statement, tuple[sympy.Symbol, ...]], Entry] = getattr(self, f"_{kind}")
+            entry = read(section, statement, names)
+            if isinstance(entry, Step):
+                found += one_for_each_part(
+                    entry,
+                    {name: tuple(map(self.table.symbol, letters)) for name, letters in heading.answers},
+                )
+            else:
+                found.append(entry)
         for item in section.items:
             if item.key in CLAIMS:
                 with _at(item.line):

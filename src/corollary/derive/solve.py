@@ -12,7 +12,7 @@ import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
-from corollary.derive.assumptions import FoundFunction, Known, Root, at, forms, simplest
+from corollary.derive.assumptions import FoundFunction, Known, Root, at, forms, simplest, vanishes
 from corollary.derive.derivation import Always, Branch, Case, Entry, clauses, relations, ways
 from corollary.derive.forces import solved_forces
 from corollary.derive.load import Loaded, NotDerivable, load
@@ -320,7 +320,7 @@ class Solver:
         picked = pick(found, known.points, entry.where, entry.rejected)
         local = forms(entry.unknowns, picked.root)
         routes = tuple(SolvedRoute(applied_route(route), self.route(entry, route)) for route in entry.routes)
-        mistakes = tuple(self.wrong(entry, mistake, entry.where) for mistake in entry.mistakes)
+        mistakes = tuple(self.mistakes(entry, picked.root))
         known.found(entry.unknowns, picked.root)
         known.aside |= {symbol: simplest(known.in_givens(picked.root[symbol])) for symbol in entry.also}
         return Unknown(
@@ -408,14 +408,29 @@ class Solver:
         except ValueError as error:
             raise NoRoot(str(error), route.line) from error
 
+    def mistakes(self, entry: Step, right: Root) -> Iterator[Mistake[Rule]]:
+        """What is found by each mistake; in a system of laws a mistake belongs to the parts whose value it changes."""
+        for mistake in entry.mistakes:
+            root = self.wrong_root(entry, mistake, entry.where)
+            if entry.statement.system:
+                changed = {
+                    each for each in (*entry.unknowns, *entry.also) if not vanishes(root[each] - right[each])
+                }
+                if changed and not changed & set(entry.unknowns):
+                    continue
+            yield Mistake(mistake.text, forms(entry.unknowns, root), mistake.line)
+
     def wrong(self, entry: Finding, mistake: Mistake[Exchange], where: Boolean | bool) -> Mistake[Rule]:
+        root = self.wrong_root(entry, mistake, where)
+        return Mistake(mistake.text, forms(entry.unknowns, root), mistake.line)
+
+    def wrong_root(self, entry: Finding, mistake: Mistake[Exchange], where: Boolean | bool) -> Root:
         """What is found by a mistake; `where` chooses only among several roots, for a mistake need not respect it."""
         try:
             laws = exchanged(entry.laws, mistake) if isinstance(entry, Step) else mistake.rule.laws
             found = self.roots(entry, laws)
             where = where if mistake.rule.where is None else mistake.rule.where
-            root = found[0] if len(found) == 1 else pick(found, self.known.points, where, ()).root
-            return Mistake(mistake.text, forms(entry.unknowns, root), mistake.line)
+            return found[0] if len(found) == 1 else pick(found, self.known.points, where, ()).root
         except ValueError as error:
             raise NoRoot(f"the mistake {mistake.text!r}: {error}", mistake.line) from error
 

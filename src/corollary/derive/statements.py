@@ -25,12 +25,16 @@ SOLUTION = "corollary_solution_"  # a solution's file is loaded as a module whos
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """What every entry says in words: the part it is for ("" for none), why, a sanity check, and the line it is written on."""
+    """What every entry says in words: the part it is for ("" for none), why, a sanity check, and the line it is written on.
+
+    `system` are all letters that a step finds, where it answers several parts: the laws of all of these are solved as one.
+    """
 
     part: str
     because: str
     line: int
     check: str = ""
+    system: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         for name, words in (("the part", self.part), ("because", self.because), ("check", self.check)):
@@ -38,6 +42,10 @@ class Statement:
                 raise TypeError(
                     f"{name} is a text for the reader, not {words!r}; write it in quotation marks"
                 )
+
+    def solved_with(self, other: Statement) -> bool:
+        """Whether the laws of both were solved as one."""
+        return bool(self.system) and (self.line, self.system) == (other.line, other.system)
 
 
 class Stated(Protocol):

@@ -162,8 +162,9 @@ def unexplained(solution: Solution) -> Iterator[tuple[int, str]]:
     """
     known = {given.symbol for given in solution.problem.givens} | solution.meanings.keys() | {"pi"}
     for find in solution.unknowns:
-        if find.part:
-            known |= set(find.names)
+        together = [each for each in solution.unknowns if each.statement.solved_with(find.statement)]
+        for each in (find, *together):
+            known |= set(each.names) if each.part else set()
         known |= {each.left.name for law in find.laws for each in law.here if isinstance(each.left, Name)}
         known |= {name for each in find.functions for name in (each.name, each.letter)}
         for name in sorted((_letters_in_laws(find) | set(find.names)) - known):
@@ -251,7 +252,7 @@ def _named(find: Unknown) -> tuple[str, ...]:
 
 
 def _used(find: Unknown) -> frozenset[str]:
-    return frozenset(_in_laws(find.laws)) | _in_rule(find.local)
+    return (frozenset(_in_laws(find.laws)) - set(find.statement.system)) | _in_rule(find.local)
 
 
 def _beside(solution: Solution, part: str) -> Iterator[str]:
@@ -319,6 +320,7 @@ def worked_steps(
     if solution.case:
         lines += [_("**Here {case}.**", case=solution.case), ""]
     met = set[str]()
+    before: Unknown | None = None
     for place, find in steps.items():
         numbers = values[place]
         part = problem.part(find.part) if find.part else None
@@ -329,7 +331,10 @@ def worked_steps(
         )
         letters_here = explained(find, solution, met)
         met |= {*find.names} | names(*(relation for law in find.laws for relation in law.here))
-        lines += [heading, "", *letters_here, *_unknown(find, numbers, part, known), ""]
+        again = before is not None and find.statement.solved_with(before.statement)
+        found = _from_the_same_laws if again else _unknown
+        lines += [heading, "", *letters_here, *found(find, numbers, part, known), ""]
+        before = find
         for name, value, unit in zip(find.names, numbers, _units(find, part), strict=True):
             in_formula = si_unit(unit.dimension) if unit.offset else unit  # a temperature in kelvin
             known[name] = quantity(value, in_formula, in_formula=True)
@@ -373,6 +378,16 @@ def _unknown(
     for route in find.routes:
         because, laws = route.stated.because, route.stated.laws
         lines += ["", _("*Another way.* {because}", because=because), "", *(_law(law) + "\n" for law in laws)]
+    if find.statement.check:
+        lines += ["", _("*Check:* {check}", check=find.statement.check)]
+    return lines
+
+
+def _from_the_same_laws(
+    find: Unknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]
+) -> list[str]:
+    """What else a system of laws gives, which stand in the step before."""
+    lines = [_("The same laws give this, too."), "", *_result(find, numbers, part, known)]
     if find.statement.check:
         lines += ["", _("*Check:* {check}", check=find.statement.check)]
     return lines

@@ -429,8 +429,8 @@ class Checks:
         found = self.case.every[each.place]
         if not isinstance(found.entry, Step):
             return set()
-        stated = zip(found.entry.mistakes, found.find.mistakes, strict=True)
-        of = [one for one, solved in stated if solved is each.mistake]
+        wanted = each.mistake.line, each.mistake.text
+        of = [one for one in found.entry.mistakes if (one.line, one.text) == wanted]
         own = {id(law) for law in found.entry.laws}
         return own & {id(law) for one in of for law in exchanged(found.entry.laws, one)} if of else own
 
