@@ -19,6 +19,8 @@ from corollary.answers.registry import answer_type, judging
 from corollary.answers.verdict import Right, Wrong
 from corollary.formula.syntax import author_formula
 from corollary.formula.value import Items, Nothing, Real, Text
+from corollary.grading.points import share
+from corollary.problem.problem_set import Scheme
 from corollary.problem.reader import read_problem
 from corollary.units.unit import unit
 
@@ -47,7 +49,8 @@ def test_a_unit_with_a_slash_behind_the_last_belongs_to_all(text):
 
 def judged(typed, truth=(0.4, 2.1)):
     wanted = Quantity(truth, 2.14, 0.01, (0.0,) * len(truth), dict, None, dict, list, list, list)
-    return judging("list").judge(read(typed), Expected(QUESTION, quantity=wanted))
+    question = replace(QUESTION, components=tuple(map(str, truth)))
+    return judging("list").judge(read(typed), Expected(question, quantity=wanted))
 
 
 @pytest.mark.parametrize(
@@ -86,9 +89,41 @@ def test_what_is_no_list():
 
 def test_missing_and_superfluous_values_are_said():
     assert judged("2.10 s, 0.400 s") == Right()
-    assert judged("0.400 s") == Wrong("What you give is right, but it is not all.")
+    assert judged("0.400 s").why == "What you give is right, but it is not all."
     assert "there are others" in judged("0.400 s; 2.10 s; 3.00 s").why
-    assert judged("0.400 s; 2.50 s") == Wrong("1 of your 2 values are right.")
+    assert judged("0.400 s; 2.50 s").why == "1 of your 2 values are right."
+
+
+@pytest.mark.parametrize(
+    ("typed", "earned"),
+    [
+        ("2.10 s; 0.400 s; 7.00 s; 9.00 s", 1.0),
+        ("0.400 s; 2.10 s; 7.00 s", 0.75),  # one is missing
+        ("9.00 s", 0.25),
+        ("0.400 s; 2.10 s; 7.00 s; 8.00 s", 0.75),  # one is wrong
+        ("1.00 s; 2.10 s; 7.50 s; 8.00 s", 0.25),
+        ("0.400 s; 2.10 s; 7.00 s; 9.00 s; 3.00 s", 0.75),  # one too many
+        ("0.400 s; 2.10 s; 7.00 s; 9.00 s; 1 s; 2 s; 3 s; 4 s", 0.0),  # all that may be
+        ("0.400 s; 0.400 s; 0.400 s; 0.400 s", 0.25),  # one value is one value
+        ("1.00 s; 3.00 s", 0.0),
+        ("1 s; 3 s; 4 s; 5 s", 0.0),
+    ],
+)
+def test_each_right_value_counts_and_each_one_too_many_takes_one_away(typed, earned):
+    assert share(judged(typed, (0.4, 2.1, 7.0, 9.0)), Scheme(), "list") == pytest.approx(earned)
+
+
+@pytest.mark.parametrize(
+    ("typed", "earned"), [(("h", "v*t"), 0.5), (("h", "2*v*t", "g*t^2", "2*h"), 0.75), (("3*h",), 0.0)]
+)
+def test_of_formulas_each_right_one_counts(typed, earned):
+    question = replace(QUESTION, components=tuple("ABCD"), unit=unit("m"))
+    wanted = Quantity(
+        (6.0, 90.0, 1.5, 3.0), 90.3, 0.01, (0.0,) * 4, lambda: GIVEN, FORMULAS, dict, list, list, list,
+    )  # fmt: skip
+    answer = Formulas(tuple(map(author_formula, typed)), "")
+    found = judging("list").judge(answer, Expected(question, quantity=wanted))
+    assert share(found, Scheme(), "list") == pytest.approx(earned)
 
 
 def test_a_value_given_twice_counts_once():

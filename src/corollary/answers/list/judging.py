@@ -2,33 +2,49 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from corollary.answers.answer import Answer, Formulas, Numbers
 from corollary.answers.expected import Expected, Quantity
 from corollary.answers.in_any_order import judge_in_any_order
+from corollary.answers.judge_formulas import judge_formulas
 from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth, to_be_typed
-from corollary.answers.verdict import Verdict, Wrong
+from corollary.answers.table.judging import entry
+from corollary.answers.verdict import Right, Verdict, Wrong
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)
 
 
 def judge(answer: Answer, expected: Expected) -> Verdict:
-    """All of them, in whichever order; of a list of another length, how many of it are right."""
+    """All of them, in whichever order; else each value that is right counts, and each one too many takes one of these away."""
     wanted = expected.quantity
     assert wanted is not None
     assert isinstance(answer, Numbers | Formulas)
     given = len(answer.values) if isinstance(answer, Numbers) else len(answer.trees)
-    if given != len(wanted.values):
-        return Wrong(_of_another_length(answer, wanted, given))
-    verdict = judge_in_any_order(answer, wanted, expected.question)
-    if isinstance(verdict, Wrong) and isinstance(answer, Numbers) and (right := _right(answer, wanted)):
-        return Wrong(_("{right} of your {given} values are right.", right=right, given=given))
-    return verdict
+    whole: Verdict | None = None
+    if given == len(wanted.values):
+        whole = judge_in_any_order(answer, wanted, expected.question)
+        if not isinstance(whole, Wrong):
+            return whole
+    right = (
+        _right(answer, wanted)
+        if isinstance(answer, Numbers)
+        else _right_formulas(answer, wanted, expected.question)
+    )
+    if whole is not None and not right:
+        return whole
+    return Wrong(_what_is_right(right, given, wanted), _entries(right, given, len(wanted.values)))
 
 
-def _of_another_length(answer: Numbers | Formulas, wanted: Quantity, given: int) -> str:
-    right = _right(answer, wanted) if isinstance(answer, Numbers) else 0
+def _entries(right: int, given: int, asked: int) -> tuple[Verdict, ...]:
+    """A verdict for each value asked for; none where nothing counts."""
+    counted = max(0, right - max(0, given - asked))
+    return (Right(),) * counted + (Wrong(),) * (asked - counted) if counted else ()
+
+
+def _what_is_right(right: int, given: int, wanted: Quantity) -> str:
     if right == given and given < len(wanted.values):
         return _("What you give is right, but it is not all.")
     if right == len(wanted.values):
@@ -44,6 +60,17 @@ def _right(answer: Numbers, wanted: Quantity) -> int:
         if near is not None and abs(near - value) <= min(off, max(wanted.tolerance * abs(value), 1e-9 * off)):
             left.remove(near)
     return len(answer.values) - len(left)
+
+
+def _right_formulas(answer: Formulas, wanted: Quantity, question: Question) -> int:
+    """The same for formulas."""
+    one, left = replace(question, components=()), list(range(len(wanted.values)))
+    for tree in answer.trees:
+        for place in left:
+            if isinstance(judge_formulas(replace(answer, trees=(tree,)), entry(wanted, place), one), Right):
+                left.remove(place)
+                break
+    return len(wanted.values) - len(left)
 
 
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
