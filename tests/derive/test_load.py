@@ -33,6 +33,11 @@ from corollary.problem.reader import read_problem
         ("from corollary.laws import law\ndef derive(m):\n    law('A', 'x = y', x=m)\n", 3, "what does y mean"),
         ("from corollary.laws import law\ndef derive(m):\n    law('A', 'x y', x=m)\n", 3, "derive fails: ValueError"),
         ("def derive(m):\n    pass\n", 1, "derive must return derivation(…)"),
+        ("def derive(m):\n    return cos(m)\n", 2, "write from sympy import cos at the top"),
+        ("def derive(m):\n    return step()\n", 2, "write from corollary.author import step at the top"),
+        ("from corollary.author import step\ndef derive(m):\n    step(m, 'x', mistakes=None)\n", 3, "leave it out where there is nothing"),
+        ("from corollary.author import step\ndef derive(m):\n    step(m, step)\n", 3, "because is a text for the reader, not a function; write it"),
+        ("from corollary.author import derivation\ndef derive(m):\n    return derivation([])\n", 2, "without square brackets"),
     ],
 )  # fmt: skip
 def test_a_file_that_is_refused_with_its_line(refused, whole, line, words):

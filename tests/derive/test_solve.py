@@ -160,7 +160,7 @@ GOOD = 'step(p, "Here.", momentum(p, m, v), answers="a")'
         ('GOOD, step(q, "Again.", momentum(q, m, v), answers="a")', "answers part a more than once"),
         ('choice("a", "Here.", a=True)', "part a is .value; answer it with step(…)"),
         ('explain("a", "Rubric.", answer="Here.")', "part a is .value; answer it with step(…)"),
-        ('GOOD, None', "None, which is not an entry"),
+        ('GOOD, None', "holds a NoneType, which is not an entry"),
         ('GOOD, printed("b", "1", "(1)")', "answers part b"),
         ('GOOD, printed("a", "1; 2", "(1)")', "part a has 1 numbers, but '1; 2' gives 2"),
         ('simulated(p, "Here.", scene="cradle", settings={}, observe="velocities")', "a simulated find must answer a part"),

@@ -251,6 +251,18 @@ def _in_scenes(name: str) -> str:
     return ""
 
 
+def _home_of(name: str) -> str:
+    """The module that an author takes this name from; "" where none of the usual ones has it."""
+    import sympy
+
+    import corollary.author
+    import corollary.laws
+    import corollary.misconceptions
+
+    homes = (corollary.author, corollary.laws, corollary.misconceptions, sympy)
+    return next((home.__name__ for home in homes if hasattr(home, name)), "")
+
+
 def _remedy(error: BaseException) -> str:
     """What to do about a law that no installed package brings, or a module that is not there."""
     if isinstance(error, ImportError) and error.name == "corollary.laws":
@@ -269,6 +281,10 @@ def _remedy(error: BaseException) -> str:
         )
     if isinstance(error, TypeError) and any(each in str(error) for each in OF_NUMBERS):
         return "; math and numpy know numbers only: take sqrt, sin, exp, pi and the like from sympy"
+    if isinstance(error, NameError) and error.name and (home := _home_of(error.name)):
+        return f"; write from {home} import {error.name} at the top"
+    if isinstance(error, TypeError) and "'NoneType' object is not iterable" in str(error):
+        return "; an argument that is a list, as mistakes=[…] or routes=[…], is None: leave it out where there is nothing"
     if isinstance(error, TooLong):
         return "; correct the loop that does not end"
     if isinstance(error, ModuleNotFoundError):

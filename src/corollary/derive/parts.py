@@ -33,7 +33,8 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int
     for entry in derivation.entries:
         if not isinstance(entry, ENTRIES):  # pyright: ignore[reportUnnecessaryIsInstance]
             yield (
-                f"derivation(…) holds {entry!r}, which is not an entry; use step(…), choice(…), explain(…)",
+                f"derivation(…) holds a {type(entry).__name__}, which is not an entry; use step(…), choice(…), explain(…), "
+                "one behind the other, without square brackets",
                 0,
             )
             return

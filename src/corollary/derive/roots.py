@@ -177,13 +177,13 @@ def pick(
         fits_at = [point for point, fit in zip(points, fits, strict=True) if fit]
         if fits_at and not any(_is(root, other, fits_at) for other in fitting):
             raise NoRoot(
-                f"where: {where} holds for {_equations(root)} at some values of the givens and fails at others; "
+                f"where: {_named(where)} holds for {_equations(root)} at some values of the givens and fails at others; "
                 "use a condition that selects one root for all of them (a mistake may have its own where)"
             )
         if (formula := _formula(root)) is not None:
             holes = (("root", formula), ("condition", f"${_condition(where)}$"))
             refused.append(Sentence(N_("{root} contradicts {condition}"), holes))
-        why.append(f"{_equations(root)} contradicts {where}")
+        why.append(f"{_equations(root)} contradicts {_named(where)}")
     if not fitting:
         raise NoRoot(f"no root is left: {'; '.join(why)}")
     if len(fitting) > 1:
@@ -286,8 +286,19 @@ def _condition(where: sympy.Basic | bool) -> str:
         return rf"\text{{{where}}}"
 
 
+def _named(where: sympy.Basic | bool) -> str:
+    """A condition in the letters that authors type."""
+    if isinstance(where, bool) or where in (sympy.true, sympy.false):
+        return "a condition that holds for no numbers"
+    return _typed(where)
+
+
+def _typed(value: object) -> str:
+    return str(value).replace("**", "^")
+
+
 def _equations(root: Root) -> str:
-    return ", ".join(f"{symbol} = {value}" for symbol, value in root.items())
+    return ", ".join(f"{symbol} = {_typed(value)}" for symbol, value in root.items())
 
 
 def _list(things: Sequence | set | frozenset) -> str:

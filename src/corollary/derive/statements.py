@@ -39,9 +39,9 @@ class Statement:
     def __post_init__(self) -> None:
         for name, words in (("the part", self.part), ("because", self.because), ("check", self.check)):
             if not isinstance(words, str):  # pyright: ignore[reportUnnecessaryIsInstance]
-                raise TypeError(
-                    f"{name} is a text for the reader, not {words!r}; write it in quotation marks"
-                )
+                what = repr(words)
+                what = what if len(what) < 40 else f"a {type(words).__name__}"
+                raise TypeError(f"{name} is a text for the reader, not {what}; write it in quotation marks")
 
     def solved_with(self, other: Statement) -> bool:
         """Whether the laws of both were solved as one."""
