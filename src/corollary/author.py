@@ -58,7 +58,7 @@ from corollary.derive.statements import (
     Supposed,
 )
 from corollary.formula.authored import as_condition, as_expression
-from corollary.laws.law import Law, known_by_name, only_laws
+from corollary.laws.law import Law, known_by_name, law, only_laws, sides
 from corollary.scenes.scene import Scene
 
 Unknowns = sympy.Symbol | tuple[sympy.Symbol, ...]
@@ -143,7 +143,7 @@ def optimum(
     unknowns: Unknowns,
     because: str,
     *,
-    of: sympy.Expr,
+    of: sympy.Expr | str,
     over: sympy.Symbol,
     between: tuple[object, object],
     largest: bool = True,
@@ -151,10 +151,18 @@ def optimum(
     mistakes: Sequence[Mistake[Exchange]] = (),
     check: str = "",
 ) -> Optimum:
-    """The value of `over`, between the bounds (included), at which `of` is largest (or smallest)."""
-    low, high = map(as_expression, between)
+    """The value of `over`, between the bounds (included), at which `of` is largest (or smallest); formulas may be texts."""
+    low, high = map(_expression, between)
     words = Statement(answers, because, line_of_word(), check)
-    return Optimum(words, _tuple(unknowns), as_expression(of), over, (low, high), largest, tuple(mistakes))
+    return Optimum(words, _tuple(unknowns), _expression(of), over, (low, high), largest, tuple(mistakes))
+
+
+def _expression(stated: object) -> sympy.Expr:
+    """A formula, or the text of one in the letters of the problem."""
+    if not isinstance(stated, str):
+        return as_expression(stated)
+    ((_left, right),) = sides(law("optimum", f"optimum = {stated}", optimum=sympy.Symbol("optimum")))
+    return right
 
 
 def simulated(

@@ -14,6 +14,7 @@ from sympy.core.function import AppliedUndef
 
 from corollary.derive.assumptions import FoundFunction, Known, at
 from corollary.derive.differential import NotSolved, generally, generic
+from corollary.derive.improper import by_quadrature, improper, refuse_divergent
 from corollary.derive.sampled import holds, numbered
 from corollary.laws.law import Law, sides, substitute
 
@@ -216,6 +217,8 @@ class _Elimination:
         left: list[Pair] = []
         letters = letters_in(self.laws, self.known)
         for pair in self.pairs:
+            for side in pair:
+                refuse_divergent(self.known.with_functions(side))
             sides = tuple(generic(side.doit()) for side in pair)
             for before, after in zip(pair, sides, strict=True):
                 if after.has(sympy.Integral, sympy.Derivative):
@@ -244,7 +247,12 @@ class _Elimination:
         found_here = sorted(_functions_of(side), key=str)
         values = [each.args[0] for each in found_here if each != self.own[each.func]]
         points = [place for node in side.atoms(sympy.Subs) for place in node.point]
-        limits = [limit for node in side.atoms(sympy.Integral) for limit in node.limits[0][1:]]
+        limits = [
+            limit
+            for node in side.atoms(sympy.Integral)
+            for limit in node.limits[0][1:]
+            if limit.is_finite is not False
+        ]
         return [*values, *points, *limits]
 
     def _place(self, y: sympy.Expr) -> sympy.Expr:
@@ -273,9 +281,10 @@ class _Elimination:
         """An integral in formulas is what quadrature gives. Raises ValueError where it is not."""
         point = self.known.points[0]
         one, other = (
-            substitute(numbered(self.known.in_givens(each), point), point.values).evalf(15)
-            for each in (before, after)
+            substitute(numbered(self.known.in_givens(each), point), point.values) for each in (before, after)
         )
+        one = one.xreplace({node: sympy.Float(by_quadrature(node)) for node in improper(one)})
+        one, other = one.evalf(15), other.evalf(15)
         if not abs(one - other) <= QUADRATURE * abs(other):
             raise ValueError(f"{before} was found to be {after}, which it is not; state it in another form")
 

@@ -169,6 +169,8 @@ def _operator(function: str, arguments: tuple[Expr, ...], letters: Mapping[str, 
             return rf"\int{ends} {within(of, TIMES)} \,\mathrm{{d}}{_latex(by, letters)[0]}", ADD
         case "value", (of, at):
             return rf"{_latex(of, letters)[0]}\left({_latex(at, letters)[0]}\right)", ATOM
+        case "infinity", _:
+            return r"\infty", ATOM
         case "norm", (of,):
             return rf"\left|{_latex(of, letters)[0]}\right|", ATOM
         case _:

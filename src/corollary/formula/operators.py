@@ -29,10 +29,12 @@ from corollary.formula.ast import (
 )
 from corollary.formula.functions import FUNCTIONS
 
-DERIVATIVE, INTEGRAL, VALUE = "derivative", "integral", "value"
-"""derivative(f, t, n): the n-th; integral(f, t, from, to); value(f, at)."""
+DERIVATIVE, INTEGRAL, VALUE, INFINITY = "derivative", "integral", "value", "infinity"
+"""derivative(f, t, n): the n-th; integral(f, t, from, to); value(f, at); infinity(), a limit of an integral."""
+INFINITE = frozenset({"oo", "inf", "infinity"})
+"""How authors type infinity, `∞` besides."""
 DOT, CROSS, NORM = "dot", "cross", "norm"
-OPERATORS = frozenset({DERIVATIVE, INTEGRAL, VALUE, DOT, CROSS, NORM})
+OPERATORS = frozenset({DERIVATIVE, INTEGRAL, VALUE, INFINITY, DOT, CROSS, NORM})
 VECTOR_OPERATORS = frozenset({DOT, CROSS, NORM})
 ARITY = {DOT: 2, CROSS: 2, NORM: 1}
 
@@ -59,7 +61,7 @@ def read_operators(tree: Expr, letters: Collection[str], functions: Collection[s
         case Quotient(top, Name(below)) if (by := _by(below, letters)) is not None:
             return _derivative(tree, top, by, letters, functions)
         case Call("int", arguments):
-            return _integral(tuple(map(within, arguments)))
+            return _integral(tuple(map(within, arguments)), letters)
         case Call("d", _):
             raise ValueError("d(…) stands above a letter of the problem with a d before it, as in d(m*v)/dt")
         case Call(function, arguments) if function in ARITY:
@@ -88,6 +90,8 @@ def as_stated(tree: Expr) -> Expr:
             return Quotient(top, Name(f"d{by}{often}"))
         case Call("integral", arguments):
             return Call("int", tuple(map(as_stated, arguments)))
+        case Call("infinity", _):
+            return Name("oo")
         case Call("value", (Name(function), at)):
             return Call(function, (as_stated(at),))
         case _:
@@ -105,8 +109,11 @@ def measured(tree: Expr) -> Expr:
         case Call("derivative", (of, by, Number(order))):
             below: Expr = by if order == 1 else Product((by,) * int(order))
             return Quotient(measured(of), below)
-        case Call("integral", (of, _by, low, high)):
-            return Product((measured(of), measured(low if high == ZERO else high)))
+        case Call("integral", (of, by, low, high)):
+            end = low if high == ZERO or has_operators(high, {INFINITY}) else high
+            return Product(
+                (measured(of), by if end == ZERO or has_operators(end, {INFINITY}) else measured(end))
+            )
         case Call("value", (function, _at)):
             return function
         case _:
@@ -157,10 +164,24 @@ def _derived(factor: Expr, order: int, letters: Collection[str]) -> Expr | None:
             return None
 
 
-def _integral(arguments: tuple[Expr, ...]) -> Expr:
+def _integral(arguments: tuple[Expr, ...], letters: Collection[str]) -> Expr:
     if len(arguments) != 4 or not isinstance(arguments[1], Name):
-        raise ValueError("an integral is int(what, letter, from, to), as in int(F, t, 0, T)")
-    return Call(INTEGRAL, arguments)
+        raise ValueError(
+            "an integral is int(what, letter, from, to), as in int(F, t, 0, T) or int(P, t, 0, oo)"
+        )
+    of, by, *limits = arguments
+    return Call(INTEGRAL, (of, by, *(_limit(each, letters) for each in limits)))
+
+
+def _limit(limit: Expr, letters: Collection[str]) -> Expr:
+    """A limit of an integral, which may be infinite."""
+    match limit:
+        case Name(name) if name in INFINITE and name not in letters:
+            return Call(INFINITY, ())
+        case Negative(term):
+            return Negative(_limit(term, letters))
+        case _:
+            return limit
 
 
 def scalar_part(tree: Expr, index: int, vectors: Mapping[str, int]) -> Expr:

@@ -106,7 +106,8 @@ def author_formula(text: str, names: Iterable[str] | None = None, *, operators: 
     with a sentence that quotes the text.
     """
     declared = None if names is None else frozenset(names)
-    read = tokens(text, partial(_author_run, declared=declared), longest=20 * LONGEST, most=20 * MOST_TOKENS)
+    typed = text.replace("∞", "oo") if operators else text
+    read = tokens(typed, partial(_author_run, declared=declared), longest=20 * LONGEST, most=20 * MOST_TOKENS)
     if operators and not isinstance(read, ParseError):
         behind = [*read[1:], read[-1]]
         read = [

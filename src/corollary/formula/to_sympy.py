@@ -42,6 +42,8 @@ def expression(tree: Expr, meaning: Mapping[str, sympy.Expr]) -> sympy.Expr:
         case Call("integral", (of, *over)):
             by, low, high = (expression(each, meaning) for each in over)
             return sympy.Integral(expression(of, meaning), (by, low, high))
+        case Call("infinity", _):
+            return sympy.oo
         case Call("value", (of, at)):
             return expression(of, meaning).func(expression(at, meaning))
         case Call(function, arguments):
