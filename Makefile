@@ -58,7 +58,7 @@ $(LINT): $(TEST)
 demo: $(DEMO)
 	@$(BIN)/corollary demo demo
 
-# The tests a change is tried with, in under ten minutes on two cores; `make test-long` has those that it leaves out: the long ones and
+# The tests a change is tried with, in under eight minutes on two cores; `make test-long` has those that it leaves out: the long ones and
 # those with a browser, a client or compiled steps; `make test-all` has both.
 test: $(TEST)
 	@$(BIN)/python -m pytest -n $(JOBS) --dist loadfile -m "$(LATER)"

@@ -85,6 +85,7 @@ def test_a_process_that_dies_costs_what_it_was_at(count: int, size: int) -> None
                 processes.submit(returned, text).result(timeout=LONG)
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("seed", range(12))
 def test_killed_at_random_moments(seed: int) -> None:
     """While it waits, works, takes a task or gives its result, of which the half may be on the way."""

@@ -85,6 +85,7 @@ def test_a_mistake_is_named_and_the_status_says_wrong(written, tmp_path):
     assert "15.3 m" in text
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("beside", ["", "below/../", "./"])
 def test_a_path_from_where_one_stands(written, tmp_path, beside):
     written(RECORDS)

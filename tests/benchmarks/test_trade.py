@@ -70,6 +70,7 @@ def test_the_planned_route_agrees_with_the_reference_to_twelve_digits(raced):
         assert min(timing.error for timing in each.timings if timing.method == each.planned) < 1e-12, name
 
 
+@pytest.mark.whole
 def test_the_planner_takes_what_is_cheapest_for_twelve_digits(raced):
     """In evaluations, which no other work on the machine can change; a model without steps pays none or few."""
     for name, each in raced.items():

@@ -57,6 +57,7 @@ def run(words: list[str], folder: Path, **settings: str) -> tuple[int, bytes, by
     return done.returncode, done.stdout, done.stderr
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize(("words", "encodings"), ALL_COMMANDS)
 def test_every_command_in_every_encoding(words: list[str], encodings: list[dict[str, str]], tmp_path: Path):
     usual = run(words, tmp_path, PYTHONIOENCODING="utf-8")
@@ -71,6 +72,7 @@ def test_every_command_in_every_encoding(words: list[str], encodings: list[dict[
             assert err.count(b"\n") == usual[2].count(b"\n")
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize(
     "words", [["list", "--json"], ["show", "X12.7", "--json"], ["key", "X12.7", "--json"]], ids=" ".join
 )

@@ -138,6 +138,7 @@ print(*sys.modules)
 """
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize(
     ("words", "heavy"),
     [

@@ -50,6 +50,7 @@ def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     return like_windows(LIKE_WINDOWS + ABSENT + MAIN.format(words=list(words)), folder)
 
 
+@pytest.mark.whole
 def test_the_package_and_all_its_rooms_can_be_imported(tmp_path: Path):
     program = """
 import importlib, pkgutil, corollary

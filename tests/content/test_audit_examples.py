@@ -50,6 +50,7 @@ SAMPLE = {
 }
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("name", SAMPLE)
 def test_a_sample_is_found_as_recorded(name, tmp_path):
     whole = records(name)

@@ -42,6 +42,7 @@ def made(ball: ChangingBank, name: str, jobs: int) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in files}
 
 
+@pytest.mark.whole
 def test_the_same_on_one_and_on_two_processes(ball: ChangingBank) -> None:
     one, two = made(ball, "one", 1), made(ball, "two", 2)
     assert len(one) == len(ROSTER) + 1

@@ -126,6 +126,7 @@ def test_a_rename_is_asked_about_and_nothing_is_changed_or_marked_before(ball: C
     assert outcome.records["ada"].points == 3.0
 
 
+@pytest.mark.whole
 def test_a_rename_is_not_told_as_other_numbers(ball: ChangingBank) -> None:
     ball.grade(open_course(ball.course))
     givens = {"M" if symbol == "m" else symbol: row for symbol, row in Text().givens.items()}
@@ -176,6 +177,7 @@ def test_a_problem_of_another_code_is_asked_about(ball: ChangingBank) -> None:
     assert ball.grade(open_course(ball.course)).records["ada"].points == 3.0
 
 
+@pytest.mark.whole
 def test_what_looks_renamed_is_not_where_somebody_says_so(ball: ChangingBank) -> None:
     """As the word no on a terminal; scripts have none."""
     ball.grade(open_course(ball.course))

@@ -87,6 +87,7 @@ def test_few_are_marked_in_this_process_and_many_on_all_cores() -> None:
     assert here(2, 3) is not in_turn
 
 
+@pytest.mark.whole
 def test_what_a_dead_process_was_at_is_done_again(
     by: GradingContext, papers: list[Submission], tmp_path: Path
 ) -> None:
@@ -132,6 +133,7 @@ def test_weak_isolation_is_told_from_a_worker_too(by: GradingContext, papers: li
         marked(side_by_side(2), replace(by, runner=partial(Runner, require=4)), papers)
 
 
+@pytest.mark.whole
 @pytest.mark.skipif(sys.platform != "linux", reason="looks in /proc")
 def test_no_process_outlives_a_killed_grading(tmp_path: Path) -> None:
     script = (

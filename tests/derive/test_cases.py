@@ -156,6 +156,7 @@ def test_numbers_at_which_no_case_holds_have_no_answer(make):
     assert make_key(solution, chapter(problem)).solution.case == "the block stays at rest"
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize(("slides", "rest"), JOINED)
 def test_a_condition_joins_relations_by_and_or_and_not(make, slides, rest):
     """Each draw has the answers of the case whose condition is true by Python's own and, or, not."""

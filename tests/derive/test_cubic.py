@@ -82,6 +82,7 @@ def test_no_formula_is_not_no_root(refused):
     assert sentence.startswith("part a: x is a root of degree 5, for which there is no formula")
 
 
+@pytest.mark.whole
 @given(st.lists(st.fractions(-9, 9, max_denominator=8), min_size=4, max_size=4))
 def test_the_roots_in_cosines_are_those_of_the_polynomial(coefficients):
     """Held against the eigenvalues of the companion matrix, and against the sign of the discriminant."""

@@ -84,6 +84,7 @@ def leaks(key: Key, part: str, said: str, answer: object) -> list[str]:
     return [*shown, *formulas, *(found[0] for found in FACTORS.finditer(words)), *re.findall(r"[=$]", words)]
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("code", [problem.code for problem in PROBLEMS if problem.givens])
 def test_nothing_of_the_key_is_told_to_a_wrong_answer(code):
     key = key_of(code)

@@ -47,6 +47,7 @@ def test_a_formula_of_the_collection_gives_what_is_true_for_right_answers():
             assert off < (6e-3 if code == "E12.3.1s" else 1e-9), case.text
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("start", NAMED)
 def test_an_error_that_was_missed_is_followed(start):
     (case,) = [case for case in carried.collection() if case.text.startswith(start)]

@@ -111,6 +111,7 @@ def test_beyond_the_tolerance_nothing_is_right(solution, code, part, index, off,
     assert not isinstance(verdict, (Right, Follows)), verdict
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("code", ["T1", "X12.7", "X12.10", "P12.14"])
 @settings(max_examples=80, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(answers=st.lists(plains, min_size=6, max_size=6))

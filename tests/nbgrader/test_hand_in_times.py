@@ -18,6 +18,7 @@ def seconds_late(course: Course) -> dict[str, float]:
         return {each.student.id: each.total_seconds_late for each in book.assignment_submissions("words")}
 
 
+@pytest.mark.whole
 def test_our_command_and_nbgraders_make_nobody_late_by_a_guess(marked_course: Course) -> None:
     assert seconds_late(marked_course)["ben"] == 3600
     stamps = {

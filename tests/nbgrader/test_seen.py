@@ -95,6 +95,7 @@ def elsewhere(course: Course) -> None:
         file.write("\nc.CourseDirectory.db_url = 'sqlite:////elsewhere.db'\n")
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("happens", [other_entry, restored, cut_short, write_ahead, garbage, elsewhere])
 def test_whatever_may_have_changed_is_read_again(noted: Course, happens: Callable[[Course], None]) -> None:
     happens(noted)

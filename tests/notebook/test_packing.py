@@ -16,6 +16,7 @@ from corollary.notebook import packing
 from corollary.notebook.packing import NotCarried, catalogues, modules
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("name", BUILT_IN)
 def test_every_answer_type_is_read_with_python_alone(name: str):
     carried = modules((name,))

@@ -21,6 +21,7 @@ CONDITIONS = [
 ]  # fmt: skip
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("text", CONDITIONS)
 @given(rows=st.lists(st.tuples(DECIMALS, DECIMALS, st.integers(0, 36)), min_size=1, max_size=12))
 def test_as_one_by_one(text, rows):
@@ -51,6 +52,7 @@ def _holds(relation, values) -> bool:
         return False
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize(
     "text",
     ["a*b - b/3", "(a - b)^3", "sqrt(a) - sqrt(b)", "a/(b + 1/3)", "sin(a)*cos(b)", "(a*b)^(2/3)", "a^-2"],

@@ -7,6 +7,8 @@ import os
 import re
 from pathlib import Path
 
+import pytest
+
 from corollary.sandbox.worker import huge_pages
 
 SIZE = 16 << 20
@@ -17,6 +19,7 @@ def huge_kilobytes() -> int:
     return int(found[1]) if found else 0
 
 
+@pytest.mark.whole
 def test_memory_in_huge_pages_is_as_it_was():
     area = mmap.mmap(-1, SIZE, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
     marks = range(0, SIZE, 4096)

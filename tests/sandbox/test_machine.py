@@ -62,6 +62,7 @@ def test_a_death_in_a_cell_is_the_notebooks_own() -> None:
         assert not result.machine_failed
 
 
+@pytest.mark.whole
 def test_what_a_killed_process_left_is_removed_by_the_next(tmp_path: Path) -> None:
     script = (
         "import os, signal\nfrom corollary.sandbox.runner import Runner\n"
@@ -94,6 +95,7 @@ def test_a_folder_that_lost_its_lock_goes_once_it_is_old(tmp_path: Path, monkeyp
     assert sorted(path.name for path in tmp_path.iterdir()) == ["corollary-justmade", "corollary-myfolder"]
 
 
+@pytest.mark.whole
 def test_a_folder_half_removed_is_still_known_as_abandoned(tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     removed: list[str] = []
@@ -109,6 +111,7 @@ def test_a_folder_half_removed_is_still_known_as_abandoned(tmp_path: Path, monke
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.whole
 def test_folders_in_use_and_those_of_others_are_left_alone(tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     (tmp_path / "corollary-mine").mkdir()

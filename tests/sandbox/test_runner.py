@@ -247,6 +247,7 @@ def test_two_runners_work_side_by_side(runner) -> None:
     assert answers == {"one": Text("one"), "two": Text("two")}
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("delay", [0.0, 0.1, 0.4])
 def test_a_killed_zygote_costs_no_answer(delay: float) -> None:
     """Whether it dies before, in or after a cell: the job is run again, and its result is that of an undisturbed run."""

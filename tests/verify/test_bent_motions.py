@@ -79,6 +79,7 @@ def unnoticed(found, name: str) -> set[str]:
     return {each.bend for each in found.mutation.unnoticed if each.law == name}
 
 
+@pytest.mark.whole
 def test_a_wrong_sign_or_factor_in_a_differential_equation_is_named_where_nothing_checks_it(checked):
     found = checked()
     assert {"dv/dt = g + r*v", "dv/dt = g - 2*r*v", "dv/dt = 3*g - r*v", "dv/dt = g"} <= unnoticed(

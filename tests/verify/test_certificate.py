@@ -205,6 +205,7 @@ WORDS = ["(", "*", ")", '"', "'", ".", " ", "\n", "\r", "\u2028", "\\", "é", "A
 TITLES = st.lists(st.sampled_from(WORDS)).map("".join)
 
 
+@pytest.mark.whole
 @given(TITLES | st.text(), TITLES)
 def test_no_word_of_a_problem_is_read_as_a_command(title, claim):
     right = solution("X12.5")

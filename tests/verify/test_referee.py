@@ -14,6 +14,7 @@ from .referee import claim_judged, root_judged
 BATCHES, EACH = 10, 20  # benchmarks/referee.py has more
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("judged", [claim_judged, root_judged])
 @pytest.mark.parametrize("batch", range(BATCHES))
 def test_enumeration_contradicts_no_proof_and_no_counter_example(

@@ -39,6 +39,7 @@ def catches(seed, step=euler_cromer, keeps=0.5, pull=1.0):
     return judge_catch({}, [Called(case, tuple(map(float, end(case)))) for case in cases])
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("step", RIGHT)
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("judged", [orbits, catches])

@@ -41,6 +41,7 @@ WRONG = {
 }  # fmt: skip
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("code", ["de", "nb"])
 @pytest.mark.parametrize("wrong", WRONG)
 def test_a_usual_mistake_is_named_in_the_language_of_the_course(wrong, code):

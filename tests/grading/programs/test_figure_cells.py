@@ -69,11 +69,13 @@ def test_a_figure_counts_wherever_it_was_drawn_when_it_is_the_one_asked_for(mark
     assert isinstance(marked(own="DRAW", new=OTHER), Right)
 
 
+@pytest.mark.whole
 def test_else_a_person_looks(marked):
     assert isinstance(marked(new=OTHER), Unmarked)
     assert isinstance(marked(own=OTHER, new="DRAW"), Unmarked)
 
 
+@pytest.mark.whole
 def test_a_wrong_figure_is_wrong_and_none_is_none(marked):
     assert isinstance(marked(own=OTHER), Wrong)
     assert isinstance(marked(own=OTHER, new=OTHER), Wrong)

@@ -38,6 +38,7 @@ def test_programs_are_called_with_numbers_of_the_ranges_that_are_drawn_from():
         assert 0.8 <= case["b"] <= 1.6
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize(("code", "part"), PROGRAMS, ids=[" ".join(each) for each in PROGRAMS])
 @pytest.mark.parametrize("constant", [0.0, 1.0, 10.0])
 def test_a_program_that_returns_constants_is_no_usual_mistake(code, part, constant):
