@@ -72,6 +72,29 @@ def test_what_can_be_said_is_read(tmp_path):
     assert (read.author, read.licence, read.version) == ("Ada Lovelace", "CC-BY-4.0", "1.2")
 
 
+ROWS = GOOD.replace(", value: -2.5e1", "") + "rows:\n  - {body: a cart, v: 3}\n  - {body: a ball, v: -1/2}\n"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "good"),
+    [
+        ("rows:\n  - ", "rows:\n  - ", True),
+        ("rows:\n  -", "rows:\n  carts:\n  -", True),
+        ("  - {body: a cart, v: 3}\n", "", False),
+        ("{body: a cart, v: 3}", "[a cart, 3]", False),
+        ("{body: a cart, v: 3}", "{}", False),
+        ("body: a cart", "body: [a cart]", False),
+        ("body:", "lambda:", False),
+        ("rows:", "row:", False),
+    ],
+)
+def test_rows_are_taken_and_refused_as_the_reader_does(tmp_path, old, new, good):
+    assert old in ROWS
+    front = ROWS.replace(old, new)
+    assert takes(front) == good
+    assert (complaints(front, tmp_path) == []) == good
+
+
 @pytest.mark.parametrize(
     ("old", "new"),
     [

@@ -60,6 +60,7 @@ def _given(given: Given) -> dict[str, Any]:
             if given.words or given.grid.values
             else {}
         ),
+        **({"rows": given.table} if given.table else {}),
     }
 
 

@@ -16,6 +16,7 @@ from corollary.formula.ball import RationalPi, Undefined, holds
 from corollary.grading.key import Key, Truth
 from corollary.grading.replay import BY_THE_RULES, WhatIf, ancestors, letters_of, replay, without_noise
 from corollary.messages import catalogue
+from corollary.problem.axes import axes
 from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.sampling import sample
@@ -202,9 +203,12 @@ def _other_numbers(solution: Solution) -> list[dict[str, RationalPi]]:
     problem = solution.problem
     found = sample(problem, TRIED * (5 if solution.conditions else 1), salt="mistakes")
     fitting = [each.exact for each in found if _in_case(solution, each.exact)][:TRIED]
-    ends = [(0, given.grid.count - 1) if given.grid.count > 1 else (0,) for given in problem.givens]
+    every = axes(problem.givens)
+    ends = [(0, axis[0].grid.count - 1) if axis[0].grid.count > 1 else (0,) for axis in every]
     for places in islice(product(*ends), CORNERS):
-        values = {given.symbol: given.grid[at] for given, at in zip(problem.givens, places, strict=True)}
+        values = {
+            given.symbol: given.grid[at] for axis, at in zip(every, places, strict=True) for given in axis
+        }
         variant = Variant(problem, values, None)
         if first_broken(variant) is None and _in_case(solution, variant.exact):
             fitting.append(variant.exact)

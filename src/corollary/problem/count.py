@@ -12,6 +12,7 @@ import numpy as np
 
 from corollary.formula.ast import names
 from corollary.formula.rational_pi import RationalPi
+from corollary.problem.axes import axes
 from corollary.problem.given import Given
 from corollary.problem.interval_filter import GivenAtPoints, holding
 from corollary.problem.problem import Condition, Problem
@@ -32,7 +33,7 @@ def variants(problem: Problem) -> tuple[int, bool]:
         symbols = {given.symbol for given in group}
         conditions = [each for each in problem.conditions if names(each.relation) & symbols]
         if not conditions:
-            total *= prod(given.grid.count for given in group)
+            total *= _points(group)
         elif _few(group, conditions):
             total *= _counted(group, conditions)
         else:
@@ -46,8 +47,8 @@ def written(number: int, exact: bool) -> str:
 
 
 def _groups(problem: Problem) -> list[list[Given]]:
-    """The givens, those together that some condition ties to each other."""
-    groups = [[given] for given in problem.givens]
+    """The givens, those together that some condition ties to each other, or a table whose rows are drawn whole."""
+    groups = [list(axis) for axis in axes(problem.givens)]
     for condition in problem.conditions:
         tied = names(condition.relation)
         joined = [given for group in groups if tied & {given.symbol for given in group} for given in group]
@@ -58,34 +59,38 @@ def _groups(problem: Problem) -> list[list[Given]]:
 
 
 def _few(group: list[Given], conditions: list[Condition]) -> bool:
-    def points(tied: Iterable[str]) -> int:
-        return prod(given.grid.count for given in group if given.symbol in tied)
-
-    return points(given.symbol for given in group) <= MOST_TOGETHER and all(
-        points(names(each.relation)) <= MOST for each in conditions
+    return _points(group) <= MOST_TOGETHER and all(
+        _points([given for given in group if given.symbol in names(each.relation)]) <= MOST
+        for each in conditions
     )
 
 
+def _points(group: Iterable[Given]) -> int:
+    return prod(axis[0].grid.count for axis in axes(group))
+
+
 def _counted(group: list[Given], conditions: list[Condition]) -> int:
-    """Each given has an axis of its own, so that a condition is worked out only for the givens it names."""
-    letters = {}
-    for given in group:
-        axis = [-1 if other is given else 1 for other in group]
-        letters[given.symbol] = GivenAtPoints(
-            _numbers(given, range(given.grid.count)), np.arange(given.grid.count).reshape(axis)
-        )
-    return int(_holding_all(conditions, letters, [given.grid.count for given in group]).sum())
+    """Each given, or table, has an axis of its own, so that a condition is worked out only for the givens it names."""
+    letters, every = {}, axes(group)
+    for place, axis in enumerate(every):
+        count = axis[0].grid.count
+        shape = [-1 if other == place else 1 for other in range(len(every))]
+        for given in axis:
+            letters[given.symbol] = GivenAtPoints(
+                _numbers(given, range(count)), np.arange(count).reshape(shape)
+            )
+    return int(_holding_all(conditions, letters, [axis[0].grid.count for axis in every]).sum())
 
 
 def _estimated(code: str, group: list[Given], conditions: list[Condition]) -> int:
     letters = {}
     for given in group:
-        places = _spread(f"{code} {given.symbol}", given.grid.count)
+        places = _spread(f"{code} {given.table or given.symbol}", given.grid.count)
         few = given.grid.count <= SAMPLED
         numbers = _numbers(given, range(given.grid.count) if few else places)
         letters[given.symbol] = GivenAtPoints(numbers, np.array(places) if few else np.arange(SAMPLED))
     holding_of_sample = int(_holding_all(conditions, letters, [SAMPLED]).sum())
-    return prod(given.grid.count for given in group) * holding_of_sample // SAMPLED
+    return _points(group) * holding_of_sample // SAMPLED
 
 
 def _holding_all(

@@ -44,7 +44,8 @@ class Grid:
 @dataclass(frozen=True, slots=True)
 class Given:
     """`source` says where the value of a constant of nature is from. `words` are what a given that is no number stands for:
-    its values are their places, 0, 1, …"""
+    its values are their places, 0, 1, … `table` names the table whose rows are drawn whole, where the given is a column of one;
+    `as_written` has then how many decimals each of its values is written with."""
 
     symbol: str
     meaning: str
@@ -55,6 +56,12 @@ class Given:
     places: int
     source: str = ""
     words: tuple[str, ...] = ()
+    table: str = ""
+    as_written: tuple[tuple[Fraction, int], ...] = ()
+
+    def decimals_of(self, value: Fraction) -> int:
+        """How many decimals a value is written with: those of its grid, or of its row."""
+        return next((places for each, places in self.as_written if each == value), self.places)
 
     @property
     def sign(self) -> int:

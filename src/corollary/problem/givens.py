@@ -33,15 +33,7 @@ def read_given(
         return None
     before = len(complaints)
     row = Reader(path, node, symbol, complaints)
-    if not SYMBOL.match(symbol):
-        row.complain(node.line, f"{symbol!r} is not a symbol; use a letter, then letters, digits or _")
-    elif symbol in RESERVED:
-        whose = (
-            "is a function in formulas"
-            if symbol in SPELLINGS
-            else "has a meaning of its own in formulas or in Python"
-        )
-        row.complain(node.line, f"{symbol} {whose}; call it {symbol}_1, or use another letter")
+    check_symbol(row, symbol)
     meaning, (unit_text, unit_line) = row.text("is"), row.line_of("unit", "1")
     listed = row.list_of("in")
     if "in" in node.entries:
@@ -64,7 +56,7 @@ def read_given(
             value,
             Grid(value, Fraction(0), 1),
             node.line,
-            _decimals(node.entries["value"], decimal_places(value)),
+            written_decimals(node.entries["value"], decimal_places(value)),
         )
     if first is None or last is None or step is None:
         row.complain(
@@ -93,6 +85,19 @@ def read_given(
         node.line,
         decimal_places(first, step),
     )
+
+
+def check_symbol(row: Reader, symbol: str) -> None:
+    """Complains where a given cannot be called so."""
+    if not SYMBOL.match(symbol):
+        row.complain(row.table.line, f"{symbol!r} is not a symbol; use a letter, then letters, digits or _")
+    elif symbol in RESERVED:
+        whose = (
+            "is a function in formulas"
+            if symbol in SPELLINGS
+            else "has a meaning of its own in formulas or in Python"
+        )
+        row.complain(row.table.line, f"{symbol} {whose}; call it {symbol}_1, or use another letter")
 
 
 def _of_list(
@@ -137,7 +142,7 @@ def _of_list(
     )
 
 
-def _decimals(node: TableNode | TextNode | ListNode, needed: int) -> int:
+def written_decimals(node: Node, needed: int) -> int:
     """How many decimals a constant is written with, at least those it needs: 9.80 keeps its zero, and so do 1.20e-5 and 6.40e23,
     which has -21."""
     text = node.text if isinstance(node, TextNode) else ""

@@ -18,6 +18,7 @@ from corollary.problem.givens import read_given
 from corollary.problem.packed_pictures import count, packed
 from corollary.problem.parts_markdown import read_parts
 from corollary.problem.problem import Condition, Description, Problem
+from corollary.problem.row_tables import columns_as_givens, letters_in, read_columns, without_values
 from corollary.problem.statement import HOLE, LETTER, holes, misfit
 from corollary.units.constants import CONSTANTS
 from corollary.units.unit import Unit
@@ -49,12 +50,26 @@ def read_problem(path: Path) -> Problem:
             f"code: {code} is not a valid code; use letters and digits, separated by points, such as X12.5",
         )
     rows = front.table_of("given").entries
+    before = len(complaints)
+    columns = read_columns(path, table.entries.get("rows"), complaints)
+    front.seen.add("rows")
+    faulty = len(complaints) > before
+    of_rows = columns_as_givens(path, columns, rows, complaints)
+    for symbol in without_values(rows, columns) if "rows" in table.entries else ():
+        of_rows[symbol] = None
+        if not faulty:
+            why = f"{symbol} has no `value`, and no column of rows is called {symbol}"
+            complaints.append(Diagnostic(path, rows[symbol].line, why))
+    rows = rows | {
+        symbol: TextNode("", column.line) for symbol, column in columns.items() if symbol not in rows
+    }
     givens = tuple(
         given
         for symbol, node in rows.items()
-        if (given := read_given(path, symbol, node, complaints)) is not None
+        if (given := of_rows[symbol] if symbol in of_rows else read_given(path, symbol, node, complaints))
+        is not None
     )
-    known = frozenset(rows)  # those with a fault too
+    known = frozenset(rows) | letters_in(table.entries.get("rows"))  # those with a fault too
     constants = [
         given
         for node in front.list_of("constants")

@@ -6,8 +6,9 @@ import hashlib
 import hmac
 from collections.abc import Iterator
 
+from corollary.problem.axes import GridAxis
 from corollary.problem.problem import Problem
-from corollary.problem.variant import Variant, at, first_broken, size
+from corollary.problem.variant import Variant, at, first_broken, index_of, size
 
 
 def digest(key: bytes, *words: str) -> int:
@@ -36,6 +37,18 @@ def sample(problem: Problem, count: int, *, salt: str = "sample") -> Iterator[Va
             count -= 1
             if not count:
                 return
+
+
+def sample_of_row(problem: Problem, columns: GridAxis, place: int, count: int) -> Iterator[Variant]:
+    """As many points of the grid that have one row of a table, the same every time, those too that break a condition."""
+    row = {given.symbol: given.grid[place] for given in columns}
+    seen = set[int]()
+    for n in range(count):
+        drawn = at(problem, digest(b"corollary", "row", problem.code, str(n)) % size(problem))
+        index = index_of(problem, values := {**drawn.values, **row})
+        if index is not None and index not in seen:
+            seen.add(index)
+            yield Variant(problem, values, index)
 
 
 def spread(problem: Problem, count: int, *, salt: str = "sample") -> Iterator[Variant]:

@@ -6,6 +6,7 @@ from typing import Any
 
 from corollary.problem.givens import RESERVED, SYMBOL
 from corollary.problem.reader import CODE, DIFFICULTIES
+from corollary.problem.row_tables import MOST_ROWS
 from corollary.units.constants import CONSTANTS
 
 NUMBER = {
@@ -45,11 +46,20 @@ def schema() -> dict[str, Any]:
             },
         },
         "required": ["is"],
-        "oneOf": [{"required": ["value"], "not": {"required": ["in"]}}, {"required": ["in"]}],
+        "not": {"required": ["value", "in"]},
         "dependentRequired": {name: ["from", "to", "step", "value"] for name in ("from", "to", "step")},
         "dependentSchemas": {"in": {"not": {"required": ["from"]}}},
         "additionalProperties": False,
     }
+    cell = {**WORDS, "description": "A number in the unit of the column, or words."}
+    row = {
+        "type": "object",
+        "propertyNames": {"pattern": f"^{SYMBOL.pattern}", "not": {"enum": sorted(RESERVED)}},
+        "additionalProperties": cell,
+        "minProperties": 1,
+    }
+    rows = {"type": "array", "items": row, "minItems": 2, "maxItems": MOST_ROWS}
+    alone = {"anyOf": [{"required": ["value"]}, {"required": ["in"]}]}
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "Front matter of a problem",
@@ -67,6 +77,10 @@ def schema() -> dict[str, Any]:
                 "propertyNames": {"pattern": f"^{SYMBOL.pattern}", "not": {"enum": sorted(RESERVED)}},
                 "additionalProperties": given,
                 "description": "The givens by their letter.",
+            },
+            "rows": {
+                "anyOf": [rows, {"type": "object", "additionalProperties": rows, "minProperties": 1}],
+                "description": "A table of which each student has one row, the first as printed; or several tables by name.",
             },
             "constants": {
                 "anyOf": [constant, {"type": "array", "items": constant}],
@@ -101,5 +115,9 @@ def schema() -> dict[str, Any]:
         "required": ["code", "title"],
         "if": {"properties": {"figure": {"pattern": r"^\s*<"}}, "required": ["figure"]},
         "then": {"required": ["alt"]},
+        "anyOf": [
+            {"required": ["rows"]},
+            {"properties": {"given": {"additionalProperties": alone}}},
+        ],
         "additionalProperties": False,
     }

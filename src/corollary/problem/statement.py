@@ -173,8 +173,8 @@ def _usual_unit(tree: Expr, variant: Variant) -> tuple[Unit, int]:
         raise Undefined(dimension.why)
     if dimension == ONE:
         angle = angle_measured(tree, {symbol: each.unit for symbol, each in givens.items()})
-        return (givens[angle].unit, givens[angle].places) if angle else (PURE, 0)
+        return (givens[angle].unit, givens[angle].decimals_of(variant.values[angle])) if angle else (PURE, 0)
     for name in sorted(names(tree) & givens.keys()):
         if givens[name].unit.dimension == dimension:
-            return givens[name].unit, givens[name].places
+            return givens[name].unit, givens[name].decimals_of(variant.values[name])
     return si_unit(dimension), 0

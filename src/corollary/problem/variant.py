@@ -8,11 +8,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
+from math import prod
 
 from corollary.formula.ast import Name, names
 from corollary.formula.errors import Undefined
 from corollary.formula.numerals import decimal_text, figures_apart, power_of_ten
 from corollary.formula.rational_pi import RationalPi
+from corollary.problem.axes import axes, place_on, row_of
 from corollary.problem.given import Given, decimal_places
 from corollary.problem.problem import Condition, Problem
 from corollary.units.unit import Unit, show
@@ -58,10 +60,7 @@ class Variant:
 
 def size(problem: Problem) -> int:
     """How many points the grid has, before any condition."""
-    count = 1
-    for given in problem.givens:
-        count *= given.grid.count
-    return count
+    return prod(axis[0].grid.count for axis in axes(problem.givens))
 
 
 def at(problem: Problem, index: int) -> Variant:
@@ -69,9 +68,9 @@ def at(problem: Problem, index: int) -> Variant:
     if not 0 <= index < size(problem):
         raise OutOfRange(f"{problem.code} has variants 0 to {size(problem) - 1}; {index} is not among them")
     values, rest = dict[str, Fraction](), index
-    for given in reversed(problem.givens):
-        rest, place = divmod(rest, given.grid.count)
-        values[given.symbol] = given.grid[place]
+    for axis in reversed(axes(problem.givens)):
+        rest, place = divmod(rest, axis[0].grid.count)
+        values |= {given.symbol: given.grid[place] for given in axis}
     return Variant(problem, {given.symbol: values[given.symbol] for given in problem.givens}, index)
 
 
@@ -83,16 +82,16 @@ def chapter(problem: Problem) -> Variant:
 def index_of(problem: Problem, values: Mapping[str, Fraction]) -> int | None:
     """The place in the grid of these numbers, in the givens' own units; None when they lie beside it."""
     index = 0
-    for given in problem.givens:
-        place = given.grid.place(values[given.symbol])
+    for axis in axes(problem.givens):
+        place = place_on(axis, values)
         if place is None:
             return None
-        index = index * given.grid.count + place
+        index = index * axis[0].grid.count + place
     return index
 
 
 def chosen(problem: Problem, values: Mapping[str, Fraction]) -> Variant:
-    """The chapter's numbers with some replaced (in the givens' own units).
+    """The chapter's numbers with some replaced (in the givens' own units); with them the row of a table that has them comes whole.
 
     Raises OutOfRange when a symbol is unknown or a value is against the physics.
     """
@@ -100,7 +99,7 @@ def chosen(problem: Problem, values: Mapping[str, Fraction]) -> Variant:
         if symbol not in {given.symbol for given in problem.givens}:
             known = ", ".join(given.symbol for given in problem.givens)
             raise OutOfRange(f"{symbol} is not among the givens of {problem.code} ({known})")
-    variant = Variant(problem, {**chapter(problem).values, **values}, None)
+    variant = Variant(problem, {**chapter(problem).values, **_rows_of(problem, values), **values}, None)
     if (broken := first_broken(variant, hard_only=True)) is not None:
         have = ", ".join(
             f"{name} = {value}"
@@ -108,6 +107,18 @@ def chosen(problem: Problem, values: Mapping[str, Fraction]) -> Variant:
         )
         raise OutOfRange(f"{problem.code} needs {broken.text}, but {have}")
     return variant
+
+
+def _rows_of(problem: Problem, values: Mapping[str, Fraction]) -> dict[str, Fraction]:
+    """Of each table that some of the values are in, the row that has them all, else the one that has the words among them."""
+    found: dict[str, Fraction] = {}
+    for axis in axes(problem.givens):
+        wanted = {given: values[given.symbol] for given in axis if given.table and given.symbol in values}
+        words = {given: value for given, value in wanted.items() if given.words}
+        place = next((at for each in (wanted, words) if each and (at := row_of(each)) is not None), None)
+        if place is not None:
+            found |= {given.symbol: given.grid[place] for given in axis}
+    return found
 
 
 def first_broken(variant: Variant, *, hard_only: bool = False) -> Condition | None:
@@ -173,7 +184,12 @@ def number(given: Given, value: Fraction, most: int = MOST_FIGURES) -> str:
     """The bare number, with the decimals of the given's grid where they suffice; the word of a given that is none."""
     if given.words:
         return given.words[int(value)]
-    return decimals(value, given.places, most)
+    return decimals(value, given.decimals_of(value), most)
+
+
+def row_in_words(columns: Iterable[Given], place: int) -> str:
+    """A row of a table for a message: `body: a hoop, k: 1`."""
+    return ", ".join(f"{given.symbol}: {number(given, given.grid[place])}" for given in columns)
 
 
 @lru_cache(maxsize=4096)

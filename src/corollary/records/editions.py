@@ -219,7 +219,7 @@ def _given(today: Given, edition: Edition, before: str | None, old: Problem | No
         return today
     found = _same_dimension(today.unit, edition.units[before])
     then = next((given for given in old.givens if given.symbol == before), today) if old else today
-    return replace(today, unit=found, places=then.places, words=then.words)
+    return replace(today, unit=found, places=then.places, words=then.words, as_written=then.as_written)
 
 
 def _same_dimension(today: Unit, before: str) -> Unit:

@@ -51,7 +51,9 @@ def answer_plots(solution: Solution) -> Iterator[AnswerPlot]:
             continue
         part = solution.problem.part(find.part)
         curves = [
-            each for given in solution.problem.givens if (each := _curve(solution, own, given.symbol, part))
+            each
+            for given in solution.problem.givens
+            if not given.table and (each := _curve(solution, own, given.symbol, part))
         ]
         if curves:
             alt = f"The answer to part {part.id} of {solution.problem.code}, one given moved over its range, the others {which}"

@@ -22,6 +22,7 @@ from corollary.formula.errors import ParseError, Undefined
 from corollary.grading.assign import options_alike
 from corollary.grading.key import Key, make_key
 from corollary.notebook.worksheet import Exercise, exercise
+from corollary.problem.axes import axes
 from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
@@ -64,9 +65,13 @@ def missing(one: QuestionText) -> Iterator[tuple[Part | Given, str]]:
     sources = [problem.statement, problem.figure, problem.figure_alt]
     sources += [text for part in problem.parts for text in (part.text, *(each.text for each in part.options))]
     every = [(hole, "{{" + hole.text + "}}") for source in sources for hole in holes(source)]
+    asked = {letter for hole, _ in every for letter in hole.letters}
+    named = {given.table for given in problem.givens if given.words and given.symbol in asked} - {""}
     for given in problem.givens:
         if given.source:
             continue  # a constant of nature is looked up
+        if not given.words and given.table in named:
+            continue  # the words of its row stand there, which name it
         naming = [filled(text, variant) for hole, text in every if given.symbol in hole.letters]
         unit = "" if given.words else _bare(show(given.unit))
         if not any(_stands(_bare(each), whole) for each in (*naming, written(variant, given.symbol))):
@@ -293,13 +298,19 @@ def check_options(problem: Problem, tally: Tally) -> None:
 def _variants(problem: Problem, letters: Sequence[str]) -> Iterator[Variant]:
     """Every set of values of these givens, the others as printed; where those are too many, a sample of the grid."""
     own = chapter(problem)
-    moved = [given for given in problem.givens if given.symbol in letters]
-    if prod(given.grid.count for given in moved) > MOST:
+    moved = [
+        axis for axis in axes(problem.givens) if not {given.symbol for given in axis}.isdisjoint(letters)
+    ]
+    if prod(axis[0].grid.count for axis in moved) > MOST:
         yield from sample(problem, SAMPLED, salt="options")
         return
     conditions = [each.relation for each in problem.conditions if names(each.relation) - {"pi"} <= {*letters}]
-    for places in product(*(range(given.grid.count) for given in moved)):
-        values = {given.symbol: given.grid[place] for given, place in zip(moved, places, strict=True)}
+    for places in product(*(range(axis[0].grid.count) for axis in moved)):
+        values = {
+            given.symbol: given.grid[place]
+            for axis, place in zip(moved, places, strict=True)
+            for given in axis
+        }
         variant = Variant(problem, {**own.values, **values}, None)
         if all(_fulfilled(each, variant) for each in conditions):
             yield variant

@@ -31,6 +31,7 @@ from corollary.scenes.plan import followed
 from corollary.scenes.run import BadSetting, GuardFailed, Run, components
 from corollary.units.unit import show
 from corollary.verify.checked import Tally
+from corollary.verify.rows_walked import keys_of_rows
 from corollary.verify.words.asked_sign import magnitudes_asked, negative_magnitudes
 
 ENOUGH = 8  # draws on either side of a limit, and a tenth of all: of fewer, none is a share
@@ -62,7 +63,11 @@ def narrower(tried: Sequence[TriedDraw]) -> str:
     """The one limit within which most draws may be assigned, as a sentence's end; "" where none tells them apart."""
     if not tried:
         return ""
-    givens = [each for each in tried[0].variant.problem.givens if each.grid.count > 1 and not each.words]
+    givens = [
+        each
+        for each in tried[0].variant.problem.givens
+        if each.grid.count > 1 and not each.words and not each.table
+    ]
     best = max(
         (*_of_ranges(givens, tried), *_of_ratios(givens, tried)), key=lambda each: each.weight, default=None
     )
@@ -160,6 +165,10 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
             first.append(key)
         if met == count:
             break
+    for key in keys_of_rows(solution, tally):
+        check_right(key, tally)
+        check_neglected(bank, key, tally)
+        first.insert(0, key)
     refused = sum(reasons.values())
     share = refused / len(tried) if tried else 0.0
     ranges = f"{problem.path.name}:{problem.givens[0].line if problem.givens else 1}"
@@ -189,7 +198,7 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
         tally.complain(f"{ranges}: the chapter's own numbers: {reason}")
     if (broken := first_broken(chapter(problem), hard_only=True)) is not None:
         tally.complain(f"{problem.path.name}:{broken.line}: the chapter's own numbers break {broken.text}")
-    return Walked(share, reasons, tuple(first))
+    return Walked(share, reasons, tuple(first[:SIMULATED]))
 
 
 def _all_refused(reasons: Counter[str]) -> str:

@@ -15,6 +15,7 @@ from corollary.formula.ast import Relation, names
 from corollary.formula.ball import holds
 from corollary.formula.errors import Undefined
 from corollary.formula.rational_pi import RationalPi
+from corollary.problem.axes import axes
 from corollary.problem.given import Given
 from corollary.problem.interval_filter import GivenAtPoints, Interval, holding
 from corollary.problem.problem import Problem
@@ -87,6 +88,17 @@ class Box:
                 {name for each in near for name in names(each)} & self.axes.keys() - set(letters)
             )
         return letters, found
+
+    def random_points(self, random: np.random.Generator, count: int) -> dict[str, np.ndarray]:
+        """So many points of the grid, as places of the axes; the columns of a table have one row in each."""
+        found: dict[str, np.ndarray] = {}
+        for axis in axes(self.problem.givens):
+            drawn = random.integers(0, axis[0].grid.count, count)
+            for given in axis:
+                found[given.symbol] = (
+                    np.argsort(self.axes[given.symbol].order)[drawn] if given.table else drawn
+                )
+        return found
 
     def exact(self, places: Mapping[str, int]) -> dict[str, RationalPi]:
         """One point, exactly."""

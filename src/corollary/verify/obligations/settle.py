@@ -14,6 +14,8 @@ from corollary.derive.solution import Solution
 from corollary.formula.ast import Expr, Relation, names, opposite
 from corollary.formula.plain_text import text
 from corollary.formula.rational_pi import RationalPi
+from corollary.problem.axes import row_by_row, tables
+from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
 from corollary.problem.variant import Variant, number
 from corollary.verify.obligations.algebra import Algebra
@@ -91,11 +93,14 @@ def _of_one(
     case = solution.case if conditions else ""
     try:
         settling = Settling(Box(solution.problem, conditions), variants)
+        rows = RowByRow(solution.problem, conditions, variants) if tables(solution.problem) else None
     except ValueError as error:
         for each in claims(solution):
             yield Settled(each.kind, each.claim, each.line, "undecided", str(error), case=case)
         return
-    yield from (replace(settling.settle(each), case=case) for each in claims(solution))
+    for each in claims(solution):
+        found = settling.settle(each) if rows is None else rows.settle(each, settling)
+        yield replace(found, case=case)
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,15 +114,15 @@ class Refutation:
 class Settling:
     """The provers, on one box."""
 
-    def __init__(self, box: Box, variants: int = 100) -> None:
-        self.box, self.variants = box, variants
+    def __init__(self, box: Box, variants: int = 100, vacuous: bool = False) -> None:
+        """`vacuous`: that no numbers keep the conditions says nothing, for others do."""
+        self.box, self.variants, self.vacuous = box, variants, vacuous
         self.found: dict[tuple[Clause, bool, bool], str | Refutation] = {}
 
     @cached_property
     def points(self) -> dict[str, np.ndarray]:
         """Points of the grid that keep the conditions."""
-        random = np.random.default_rng(SEED)
-        places = {name: random.integers(0, axis.count, POINTS) for name, axis in self.box.axes.items()}
+        places = self.box.random_points(np.random.default_rng(SEED), POINTS)
         admissible = self.box.keeping(self.box.conditions, places) if places else None
         return {name: at[admissible] for name, at in places.items()}
 
@@ -134,7 +139,7 @@ class Settling:
 
     def settle(self, each: Obligation) -> Settled:
         """The first prover that decides."""
-        if self.box.conditions and self.empty:
+        if self.box.conditions and self.empty and not self.vacuous:
             return Settled(each.kind, each.claim, each.line, "undecided", "no numbers keep the conditions")
         if each.kind == "mistakes differ":
             return self._differ(each)
@@ -148,8 +153,7 @@ class Settling:
             return failed
         if each.open:
             return self._open(each)
-        way = next((way for way in ("enumeration", "z3", "subdivision") if way in ways), "algebra")
-        return Settled(each.kind, each.claim, each.line, "proven", way)
+        return Settled(each.kind, each.claim, each.line, "proven", hardest(ways))
 
     def _settle_need(self, each: Obligation, need: Clause, ways: list[str]) -> Settled | None:
         """How the obligation is settled where this need is not proven."""
@@ -287,7 +291,7 @@ class Settling:
         )
         numbers = self.box.written(point) if point else self._any_numbers()
         if each.redrawn:
-            by = f"redrawn otherwise ({100 * share:.1f} % of the draws at most)" if share else REDRAWN
+            by = redrawn_share(share) if share else REDRAWN
             return Settled(each.kind, each.claim, each.line, "sampled", by, numbers, "", share)
         exclude = _excluding(need) if point else ""
         return Settled(each.kind, each.claim, each.line, "counter-example", "grid", numbers, exclude, share)
@@ -359,3 +363,41 @@ class Settling:
         return Settled(
             each.kind, each.claim, each.line, "sampled", f"the same at {len(places[letters[0]])} points"
         )
+
+
+class RowByRow:
+    """Claims about a problem with tables: what does not hold for all values of the columns at once is settled for each row by itself."""
+
+    def __init__(self, problem: Problem, conditions: tuple[Relation, ...], variants: int) -> None:
+        self.rows = [Settling(Box(row, conditions), variants, vacuous=True) for row in row_by_row(problem)]
+
+    def settle(self, each: Obligation, together: Settling) -> Settled:
+        """Proven where it is for every row; `together` takes each column by itself, which leaves out no row but has others, too."""
+        found = together.settle(each)
+        if found.outcome == "proven" or each.kind == "mistakes differ" or together.empty:
+            return found
+        outcomes = list[Settled]()
+        for row in self.rows:
+            outcomes.append(row.settle(each))
+            if outcomes[-1].outcome == "counter-example":
+                break
+        worst = min(outcomes, key=lambda one: (WORST.index(one.outcome), -one.broken))
+        share = sum(one.broken for one in outcomes) / len(outcomes)
+        if worst.outcome == "sampled" and each.redrawn and share:
+            return replace(worst, by=redrawn_share(share), broken=share)
+        return (
+            worst if worst.outcome != "proven" else replace(worst, by=hardest(each.by for each in outcomes))
+        )
+
+
+WORST = ("counter-example", "undecided", "sampled", "proven")
+
+
+def hardest(ways: Iterable[str]) -> str:
+    """Of several provers the one to name: what was found by algebra alone needed no other."""
+    used = set(ways)
+    return next((way for way in ("enumeration", "z3", "subdivision") if way in used), "algebra")
+
+
+def redrawn_share(share: float) -> str:
+    return f"{REDRAWN} ({100 * share:.1f} % of the draws at most)"
