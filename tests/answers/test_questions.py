@@ -68,7 +68,7 @@ def test_a_heading_that_does_not_fit_its_answer_type(
 def test_what_is_known_is_named(problem: Callable[[str], Problem]):
     with pytest.raises(
         Malformed,
-        match=r"cart\.md:9: part a needs one kind of \.value, \.count, \.integer, \.vector, \.interval, ",
+        match=r"cart\.md:9: part a needs one kind of \.value, \.integer, \.vector, \.interval, ",
     ):
         checked(problem("## A {#a .number}"))
 

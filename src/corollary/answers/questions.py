@@ -129,10 +129,8 @@ def _misfits(part: Part) -> Iterator[str]:
         yield f'part {part.id} is a .table; name its rows and columns: rows="before, after" columns="v, E", or say how many: rows=2 columns=2'
     if part.rows and any(unit.offset for unit in part.units):
         yield f"part {part.id}: the temperatures of a table are asked in K"
-    if part.answer_type == "count" and part.unit.text != "1":
-        yield f'part {part.id} asks for a count, which has no unit; leave unit="{part.unit.text}" out'
-    if part.answer_type in ("count", "integer") and part.tolerance:
-        yield f"part {part.id}: a {answer_type(part.answer_type).word} is exact; leave tolerance= and because= out, or ask for a .value"
+    if part.answer_type == "integer" and part.tolerance:
+        yield f"part {part.id}: a whole number is exact; leave tolerance= and because= out, or ask for a .value"
     if (part.tolerance or part.plausible) and not any(
         each.stated_by == "step" and not each.in_symbols for each in types
     ):

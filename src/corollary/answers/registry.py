@@ -19,7 +19,7 @@ if TYPE_CHECKING:  # what is expected is made of certified numbers, which readin
 
 GROUP = "corollary.answers"
 BUILT_IN = (
-    "value", "count", "integer", "vector", "interval", "list", "table", "expression", "choice", "word", "forces", "example", "code", "plot", "explain", "proof"
+    "value", "integer", "vector", "interval", "list", "table", "expression", "choice", "word", "forces", "example", "code", "plot", "explain", "proof"
 )  # fmt: skip
 
 

@@ -121,7 +121,7 @@ def options_alike(variant: Variant, parts: Iterable[Part] | None = None) -> Iter
 def not_whole(key: Key) -> Iterable[tuple[str, str]]:
     """Answers to parts that ask for a whole number, and come to none."""
     for part in key.variant.problem.parts:
-        if part.answer_type in ("count", "integer") and part.id in key.truths:
+        if part.answer_type == "integer" and part.id in key.truths:
             (value,) = map(part.unit.from_si, key.truths[part.id].values)
             if not math.isclose(value, round(value), rel_tol=SAME):
                 yield part.id, f"{value:.6g}"

@@ -43,12 +43,12 @@ TRIED = 40  # draws for which a formula of counts must give a whole number: halv
 
 
 def is_counted(solution: Solution, place: int, part: Part, known: Mapping[str, RationalPi]) -> bool:
-    """True if the part at a place asks for a `.count` or an `.integer`, or its steps make whole numbers of whole numbers, for all draws and these.
+    """True if the part at a place asks for an `.integer`, or its steps make whole numbers of whole numbers, for all draws and these.
 
     `known` are the values of all letters. A ratio that comes out whole is none where its steps have other numbers in them; of several
     components each has to be one.
     """
-    if part.answer_type in ("count", "integer"):
+    if part.answer_type == "integer":
         return True
     if part.unit.text != "1" or not _whole_by_its_steps(solution, place):
         return False

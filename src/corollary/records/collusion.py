@@ -38,7 +38,6 @@ SHARING = (
 # A class whose right answers hardly differ would make every hit look certain; they are taken to span a factor of two.
 WHOLE = (
     "value",
-    "count",
     "integer",
     "vector",
 )  # answer types that are one thing: a vector is as near as its length says

@@ -158,7 +158,7 @@ def _part(key: Key, prompt: Prompt, scheme: Scheme) -> PartAsked:
     if len(part.answer_types) > 1:
         return NotAsked(prompt, NOT_ASKED["code"])
     match part.answer_type:
-        case "value" | "count" | "integer" | "vector" if expected.quantity is not None:
+        case "value" | "integer" | "vector" if expected.quantity is not None:
             marks = tuple(_distinct(_marks(key, part, expected.quantity, scheme)))
             return NumbersAsked(prompt, part.components or ("",), marks)
         case "choice" if expected.option is not None:

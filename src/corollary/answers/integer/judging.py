@@ -44,7 +44,9 @@ def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
     number = round(question.unit.from_si(truth[0]))
     _values, unit = to_be_typed(truth, question)
     unit = f" {question.unit.text}" if unit else ""
+    with_noun = () if unit else (Sample(f"{number} bounces", "right"),)
     return (
+        *with_noun,
         Sample(f"{number}{unit}", "right"),
         Sample(f"{number}.0{unit}", "right"),
         Sample(f"{number + 1}{unit}", "wrong"),

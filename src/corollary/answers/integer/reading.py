@@ -1,18 +1,23 @@
-"""Integers, asked for and read: one number, with its unit where there is one, or the formula for it."""
+"""Integers, asked for and read: one number, with its unit or the noun of what is counted, or the formula for it."""
 
 from __future__ import annotations
 
+import re
 from typing import final
 
-from corollary.answers.answer import Answer
+from corollary.answers.answer import Answer, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.numbers import scalar
 from corollary.answers.question import Question
-from corollary.formula.value import Value
+from corollary.formula.value import Text, Value
 from corollary.messages import catalogue
 from corollary.units.unit import show
 
 _ = catalogue(__name__)
+
+WITH_NOUN = re.compile(
+    r"(?P<count>\s*[-+]?[0-9][0-9.,]{0,20})\s+\(?[^\W\d_]{2,30}(?: [^\W\d_]{2,30}){0,2}\)?\s*[.!]?\s*"
+)
 
 
 @final
@@ -27,7 +32,16 @@ class IntegerType(AnswerType):
         return f"{question.name} = None   # " + _("a whole number (8)")
 
     def read(self, value: Value, question: Question) -> Answer:
-        return scalar(value, question)
+        found = scalar(value, question)
+        noun = (
+            WITH_NOUN.fullmatch(value.text)
+            if isinstance(found, Unclear) and isinstance(value, Text)
+            else None
+        )
+        if noun is None or not question.unit.bare:
+            return found
+        bare = scalar(Text(noun["count"]), question)
+        return found if isinstance(bare, Unclear) else bare
 
 
 TYPE = IntegerType()

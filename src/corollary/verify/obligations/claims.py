@@ -60,7 +60,7 @@ def not_zero(solution: Solution) -> Iterator[Obligation]:
     for find in solution.unknowns:
         if find.part and find.in_givens is not None:
             part = next(each for each in solution.problem.parts if each.id == find.part)
-            if part.answer_type in ("count", "integer"):
+            if part.answer_type == "integer":
                 continue  # a whole number is exact: 0 needs nothing to be compared with
             zero = Number(Fraction(part.unit.offset))
             sizes: list[Expr] = [

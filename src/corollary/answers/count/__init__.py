@@ -1,1 +1,0 @@
-"""A count: a whole number without a unit."""
