@@ -137,6 +137,8 @@ def _misfits(part: Part) -> Iterator[str]:
         yield f"part {part.id} asks for no quantity; leave tolerance=, because= and plausible= out"
     if part.plausible and part.column_units:
         yield f"part {part.id}: the columns of its table differ in their units; leave plausible= out"
+    if part.given and "proof" not in part.answer_types:
+        yield f"part {part.id}: only .proof parts have given equations"
     if part.slope and "slope" not in accepted:
         yield f"part {part.id}: only .forces parts have a slope"
     if ("function" in needed) != bool(part.signature) or (

@@ -11,7 +11,14 @@ from typing import Any
 import sympy
 from sympy.logic.boolalg import Boolean
 
-from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
+from corollary.derive.applied import (
+    applied,
+    applied_proof,
+    applied_route,
+    strange_letter,
+    supposed_value,
+    untrue_given,
+)
 from corollary.derive.assumptions import FoundFunction, Known, Root, at, forms, simplest, vanishes
 from corollary.derive.derivation import Always, Branch, Case, Entry, clauses, relations, ways
 from corollary.derive.forces import solved_forces
@@ -52,7 +59,7 @@ from corollary.derive.statements import (
     Step,
     Supposed,
 )
-from corollary.formula.ast import ONE, Expr, Relation
+from corollary.formula.ast import ONE, Expr, Name, Relation
 from corollary.formula.authored import NotTyped, as_expression
 from corollary.formula.from_sympy import NoTree, tree
 from corollary.laws.law import Law, sides, substitute
@@ -269,7 +276,7 @@ class Solver:
                     case Example():
                         examples[part] = solved_example(entry, self.known)
                     case Proof():
-                        proofs[part] = applied_proof(entry)
+                        proofs[part] = applied_proof(entry, self.problem.part(part).given)
                     case _:
                         continue  # code, plot, explain, printed need no solving; what is neglected comes last
             except ValueError as error:  # NoRoot and NoTree among them
@@ -279,7 +286,9 @@ class Solver:
             except Exception as error:  # of sympy or of ours: it costs this problem, and no other
                 raise self.at_fault(entry, unforeseen(error)) from error
         for entry in entries:
-            if isinstance(entry, Proof) and (sentence := strange_letter(entry, self.known.names)):
+            if isinstance(entry, Proof) and (
+                sentence := self.unfit_proof(entry, proofs[entry.statement.part])
+            ):
                 raise self.failing(f"part {entry.statement.part}: {sentence}", entry.statement.line)
         # after all that is found, so that nothing can lean on what is only supposed
         left = tuple(self.neglected(entry) for entry in entries if isinstance(entry, Neglected))
@@ -288,6 +297,16 @@ class Solver:
             self.problem, tuple(unknowns), choices, examples, proofs, rest, left, case=case, forces=forces,
             always=tuple(claims(entries, self.known, self.failing)), meanings=self.loaded.meanings,
         )  # fmt: skip
+
+    def unfit_proof(self, entry: Proof[Law], proof: SolvedProof) -> str:
+        """What is wrong with the letters of a proof, or with what is given in it; "" for nothing."""
+        left = {
+            equation.left.name
+            for law in proof.given
+            for equation in law.here
+            if isinstance(equation.left, Name)
+        }
+        return untrue_given(proof, self.known) or strange_letter(entry, self.known.names, left)
 
     def failing(self, sentence: str, line: int = 0) -> NotDerivable:
         """At the author's own line, or at that of derive where the fault is of the whole."""

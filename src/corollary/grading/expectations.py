@@ -118,9 +118,10 @@ def rubric_of(key: Key, part: str) -> tuple[str, ...]:
 def lawful_points(key: Key, given: Sequence[Relation] = ()) -> list[Point]:
     """Givens drawn anew, with everything found for them: points where every law of the derivation holds.
 
-    What is given besides, such as `mB = mA`, sets the letter on its left.
+    What is given besides, such as `mB = mA`, sets the letter on its left, where no step finds it.
     """
     solution, points = key.solution, list[Point]()
+    found_in_steps = {name for find in solution.unknowns for name in find.names}
     for place, variant in enumerate(sample(key.variant.problem, POINTS, salt="proof")):
         drawn = {
             given.symbol: _off_the_grid(given, variant.exact[given.symbol], 10 * place + 1 + which)
@@ -128,8 +129,8 @@ def lawful_points(key: Key, given: Sequence[Relation] = ()) -> list[Point]:
         }
         try:
             for equation in given:
-                assert isinstance(equation.left, Name)  # derive.applied sees to it
-                drawn[equation.left.name] = as_exact(number(equation.right, drawn))
+                if isinstance(equation.left, Name) and equation.left.name not in found_in_steps:
+                    drawn[equation.left.name] = as_exact(number(equation.right, drawn))
             values = replay(solution, drawn)
         except Undefined:
             continue

@@ -29,7 +29,7 @@ class Part:
     `rows` and `columns` are the labels of a table, whose entries are the components, row by row, and `column_units` the units of
     its columns, where they are not all the same; `tolerance` is the share that answers may be off besides rounding (0: none of
     the author's own) and `because` why; `plausible` is from where to where answers may lie, in the unit of the part; `hint` is what
-    the author tells whoever practises and asks for one.
+    the author tells whoever practises and asks for one; `given` are equations that the question states, which a derivation may use.
 
     Whether there is such a type, and the rest fits it, is checked where answer types are known (`answers.questions`).
     """
@@ -55,6 +55,7 @@ class Part:
     because: str = ""
     plausible: tuple[float, ...] = ()
     hint: str = ""
+    given: str = ""
 
     @property
     def units(self) -> tuple[Unit, ...]:

@@ -20,7 +20,7 @@ ID = re.compile(r"[a-z][a-z0-9_]*$")
 Complain = Callable[[str], None]
 EXPECTED = "expected"  # of all attributes the one that no student may read
 KNOWN = {
-    "unit", "points", "components", "function", "letter", "slope", "rows", "columns", "tolerance", "because", "plausible", "hint",
+    "unit", "points", "components", "function", "letter", "slope", "rows", "columns", "tolerance", "because", "plausible", "hint", "given",
     EXPECTED,
 }  # fmt: skip
 SHARE = re.compile(r"\s*(\d+(?:\.\d+)?)\s*%\s*")
@@ -159,6 +159,7 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         because=settings.get("because", ""),
         plausible=_plausible(settings, ids[0], complain),
         hint=_hint(settings.get("hint", ""), ids[0], complain),
+        given=settings.get("given", ""),
     )
 
 
