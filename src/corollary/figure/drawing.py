@@ -8,11 +8,12 @@ from dataclasses import dataclass
 from typing import Final
 
 from corollary.figure.drawing_sheet import LAID, PRIMITIVES, Canvas, FigureItem, NotDrawable, Point, fixed
+from corollary.figure.graph_scale import HIGH, WIDE, graph_in_words
 from corollary.figure.lettering import Box, lettered, spoken
 from corollary.figure.shapes.lines import LONGEST
 from corollary.messages import N_, catalogue
 
-__all__ = ["PRIMITIVES", "FigurePanel", "describe", "draw", "unmentioned"]
+__all__ = ["PRIMITIVES", "FigurePanel", "describe", "draw", "graphs_in_words", "unmentioned"]
 
 _ = catalogue(__name__)
 
@@ -24,6 +25,7 @@ TALLEST: Final = 190.0
 LEAST_GAP: Final = 20.0
 ABOUT: Final = 70.0
 """What bodies and words take besides, as a first guess."""
+TALLEST_GRAPH: Final = HIGH
 TITLE: Final = 22.0
 TRIES: Final = 4
 DIRECTIONS: Final = (
@@ -39,6 +41,10 @@ class FigurePanel:
     title: str
     items: tuple[FigureItem, ...]
     below: bool = False
+
+    @property
+    def is_graph(self) -> bool:
+        return any(item.kind == "graph" for item in self.items)
 
 
 def draw(panels: Sequence[FigurePanel]) -> str:
@@ -108,7 +114,8 @@ def _fitted(row: Sequence[FigurePanel], arrows: Mapping[str, float]) -> list[Can
     }
     free = WIDTH - 2 * MARGIN - LEAST_GAP * (len(row) - 1) - sum(map(_width, drawn.values()))
     wishes = {
-        place: ABOUT + min(free, wide / high * TALLEST if high else free)
+        place: ABOUT
+        + min(free, wide / high * (TALLEST_GRAPH if row[place].is_graph else TALLEST) if high else free)
         for place, (wide, high) in enumerate(spans)
         if place not in drawn
     }
@@ -122,8 +129,9 @@ def _at_scale(
 ) -> Canvas:
     """The panel, made smaller until it is no wider than its room, or smaller does not help: words keep their size."""
     for_places, best = room - ABOUT, None
+    tallest = TALLEST_GRAPH if panel.is_graph else TALLEST
     for _attempt in range(TRIES):
-        scale = min(for_places / wide if wide else math.inf, TALLEST / high if high else math.inf)
+        scale = min(for_places / wide if wide else math.inf, tallest / high if high else math.inf)
         canvas = _laid(panel.items, scale, arrows)
         if best is None or _width(canvas) < _width(best):
             best = canvas
@@ -161,6 +169,8 @@ def _extent(items: Iterable[FigureItem]) -> Box:
     """The box around all places that are told by numbers, and the sizes about them."""
     points: list[Point] = []
     for item in items:
+        if item.kind == "graph":
+            return 0.0, 0.0, WIDE, HIGH
         radius = item.number("radius") or 0.0
         half = tuple(number / 2 for number in item.numbers.get("size", (2 * radius,)))
         long, slope = item.number("length") or 0.0, item.number("angle") or 0.0
@@ -184,6 +194,9 @@ def describe(panels: Sequence[FigurePanel]) -> str:
     """What the figure shows, for those who cannot see it: each thing, and what is written on it."""
     sentences: list[str] = []
     for panel in panels:
+        if panel.is_graph:
+            sentences += graphs_in_words([panel])
+            continue
         phrases = "; ".join(filter(None, map(_phrase, panel.items)))
         if phrases:
             sentence = (
@@ -191,6 +204,17 @@ def describe(panels: Sequence[FigurePanel]) -> str:
             )
             sentences.append(sentence + ".")
     return " ".join(sentences)
+
+
+def graphs_in_words(panels: Sequence[FigurePanel]) -> tuple[str, ...]:
+    """The axes and the values of each graph."""
+    return tuple(
+        f"{spoken(panel.title)}: {graph_in_words(panel.items)}"
+        if panel.title
+        else graph_in_words(panel.items)
+        for panel in panels
+        if panel.is_graph
+    )
 
 
 def unmentioned(panels: Sequence[FigurePanel], words: str) -> str:

@@ -29,6 +29,9 @@ class FigureItem:
     numbers: Mapping[str, tuple[float, ...]] = field(default_factory=dict[str, tuple[float, ...]])
     flags: frozenset[str] = frozenset()
     group: str = ""
+    data: tuple[tuple[float, float], ...] = ()
+    """On the axes of a graph: the points that somebody who cannot see it is told, in the units of the axes."""
+    smooth: bool = False
 
     @property
     def label(self) -> str:
@@ -295,7 +298,7 @@ def _text(inside: str, x: float, y: float, anchor: str, size: int, fill: str) ->
     return f'<text x="{fixed(x)}" y="{fixed(-y)}" text-anchor="{anchor}" fill="{fill}"{look}>{inside}</text>'
 
 
-Takes = Literal["place", "places", "vector", "lengths", "angles", "number"]
+Takes = Literal["place", "places", "vector", "lengths", "angles", "number", "axis"]
 WORDS: Final[dict[str, Takes]] = {
     "at": "place",
     "from": "place",
@@ -311,6 +314,11 @@ WORDS: Final[dict[str, Takes]] = {
     "along": "number",
     "on": "place",
     "over": "number",
+    "x": "axis",
+    "y": "axis",
+    "units": "axis",
+    "steps": "axis",
+    "of": "axis",
 }
 """What an author can say of a thing, and what kind of value it has."""
 TEXT_SIDES: Final = frozenset({"above", "below", "left", "right"})

@@ -23,6 +23,7 @@ from corollary.grading.assign import options_alike
 from corollary.grading.key import Key, make_key
 from corollary.notebook.worksheet import Exercise, exercise
 from corollary.problem.axes import axes
+from corollary.problem.figure import drawn, letters_graphed
 from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
@@ -67,9 +68,10 @@ def missing(one: QuestionText) -> Iterator[tuple[Part | Given, str]]:
     every = [(hole, "{{" + hole.text + "}}") for source in sources for hole in holes(source)]
     asked = {letter for hole, _ in every for letter in hole.letters}
     named = {given.table for given in problem.givens if given.words and given.symbol in asked} - {""}
+    graphed = letters_graphed(problem)
     for given in problem.givens:
-        if given.source:
-            continue  # a constant of nature is looked up
+        if given.source or given.symbol in graphed:
+            continue  # a constant of nature is looked up, and what a graph shows is read off it
         if not given.words and given.table in named:
             continue  # the words of its row stand there, which name it
         naming = [filled(text, variant) for hole, text in every if given.symbol in hole.letters]
@@ -255,7 +257,12 @@ def _question_text(key: Key) -> QuestionText:
 
 def _texts(asked: Exercise) -> dict[str, str]:
     found = {"the statement": "\n\n".join([asked.statement, *_of_parts(asked)])}
-    return found | ({"the figure": f"{asked.figure_alt} {asked.figure}"} if asked.figure else {})
+    if not asked.figure:
+        return found
+    told = asked.figure_alt
+    for values in drawn(asked.variant).data:  # what a graph shows is there to be read
+        told = told.replace(values, "")
+    return found | {"the figure": f"{told} {asked.figure}"}
 
 
 def _of_parts(asked: Exercise) -> Iterator[str]:

@@ -1,5 +1,5 @@
 """Shapes of figures, one file a topic."""
 
-from corollary.figure.shapes import bodies, circuits, lines, optics, surfaces
+from corollary.figure.shapes import bodies, circuits, graphs, lines, optics, surfaces
 
-__all__ = ["bodies", "circuits", "lines", "optics", "surfaces"]
+__all__ = ["bodies", "circuits", "graphs", "lines", "optics", "surfaces"]

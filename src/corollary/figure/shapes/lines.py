@@ -113,7 +113,7 @@ def line(canvas: Canvas, item: FigureItem) -> None:
     canvas.write(item.label, beside(points[-2], points[-1]), flags=item.flags)
 
 
-@primitive("curve", N_("a curve"), "through over", "dashed")
+@primitive("curve", N_("a curve"), "through over of", "dashed")
 def curve(canvas: Canvas, item: FigureItem) -> None:
     points = [canvas.at(each) for each in _through(item)]
     colour = canvas.colour(item, BLUE)
