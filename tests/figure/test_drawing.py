@@ -88,7 +88,7 @@ def test_a_figure_is_safe_as_it_is(kind):
     item = FigureItem(
         kind, "A", ("m < 5 & more",),
         {"at": ((0.0, 0.0),), "from": ((0.0, 0.0),), "to": ((9.0, 1.0),), "through": ((0.0, 0.0), (5.0, 1.0), (9.0, 0.0))},
-        {"between": (0.0, 1.0), "angle": (0.5,)},
+        {"between": (0.0, 1.0), "angle": (0.5,), "x": (0.0, 10.0, 2.0), "y": (-1.0, 1.0, 0.5)},
     )  # fmt: skip
     svg = draw([FigurePanel("a & b", (ball("A", 0, 0), item))])
     assert not re.search(r"\bid=|href|url\(|<style|<script", svg)

@@ -17,7 +17,7 @@ ON_AXES: Final = frozenset({"curve", "point", "line", "arrow", "length", "text",
 NOT_ON_AXES: Final = frozenset({"radius", "size", "by"})
 GRAPH_SAMPLES: Final = 160
 """Straight pieces of a curve of a formula."""
-MOST_TOLD: Final = 13  # points of one curve, in words
+MOST_LISTED: Final = 13  # points of one curve, in words
 Number = Callable[[Mapping[str, Any]], float]
 
 
@@ -88,15 +88,15 @@ def _drawn_on(item: FigureItem, x: GraphScale, y: GraphScale) -> list[FigureItem
     through = item.places.get("through", ())
     path = [place for place in through if not isinstance(place, str)]
     if path and len(path) == len(through):
-        told = _at_ticks(path, x) if item.smooth else path
-        told = [point for point in told if inside(point)]
+        listed = _at_ticks(path, x) if item.smooth else path
+        listed = [point for point in listed if inside(point)]
         pieces = _pieces(path, (x.low, x.high), (y.low, y.high))
         return [
             replace(
                 item,
                 places={"through": tuple(map(to_sheet, piece))},
                 texts=item.texts if at == 0 else (),
-                data=tuple(told) if at == 0 else (),
+                data=tuple(listed) if at == 0 else (),
             )
             for at, piece in enumerate(pieces)
         ]
@@ -106,15 +106,15 @@ def _drawn_on(item: FigureItem, x: GraphScale, y: GraphScale) -> list[FigureItem
     }
     ends = [place for word in ("at", "from", "to") for place in item.places.get(word, ())]
     data = tuple(place for place in ends if not isinstance(place, str))
-    told = item.kind == "point" or (item.kind == "line" and len(data) == 2)
-    return [replace(item, places=places, data=data if told else ())]
+    listed = item.kind == "point" or (item.kind == "line" and len(data) == 2)
+    return [replace(item, places=places, data=data if listed else ())]
 
 
 def _at_ticks(path: Sequence[Point], x: GraphScale) -> list[Point]:
     """A curve at the ticks that it reaches, and at its ends; one that turns back at some of its points."""
     if any(one[0] >= other[0] for one, other in pairwise(path)):
-        return [path[k * (len(path) - 1) // (MOST_TOLD - 1)] for k in range(MOST_TOLD)]
-    every = math.ceil(len(x.ticks) / MOST_TOLD)
+        return [path[k * (len(path) - 1) // (MOST_LISTED - 1)] for k in range(MOST_LISTED)]
+    every = math.ceil(len(x.ticks) / MOST_LISTED)
     wanted = [tick for tick in x.ticks[::every] if path[0][0] < tick < path[-1][0]]
     return [path[0], *(_between(path, tick) for tick in wanted), path[-1]]
 

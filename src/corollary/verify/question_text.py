@@ -259,10 +259,10 @@ def _texts(asked: Exercise) -> dict[str, str]:
     found = {"the statement": "\n\n".join([asked.statement, *_of_parts(asked)])}
     if not asked.figure:
         return found
-    told = asked.figure_alt
+    alt = asked.figure_alt
     for values in drawn(asked.variant).data:  # what a graph shows is there to be read
-        told = told.replace(values, "")
-    return found | {"the figure": f"{told} {asked.figure}"}
+        alt = alt.replace(values, "")
+    return found | {"the figure": f"{alt} {asked.figure}"}
 
 
 def _of_parts(asked: Exercise) -> Iterator[str]:

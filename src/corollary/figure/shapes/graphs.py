@@ -34,7 +34,7 @@ def graph(canvas: Canvas, item: FigureItem) -> None:
     upright = x.share(0.0) * wide if x.low < 0 < x.high else 0.0
     canvas.path([(0.0, zero), (wide, zero)], stroke=INK, width=1.5, layer=BEHIND, solid=False)
     canvas.path([(upright, 0.0), (upright, high)], stroke=INK, width=1.5, layer=BEHIND, solid=False)
-    across, up = item.texts
+    across, up = (*item.texts, "", "")[:2]
     left = below = 0.0
     if "sketch" not in item.flags:
         _labels(canvas, x, wide, along=True)
