@@ -5,7 +5,7 @@ from __future__ import annotations
 from tests.derive.conftest import ASKS, FRONT
 
 from corollary.derive.cache import solution_of
-from corollary.derive.worked_solution import introduced, unexplained
+from corollary.derive.introduced_letters import introduced, unexplained
 from corollary.grading.solutions import Solutions
 from corollary.messages import language
 from corollary.problem.bank import find

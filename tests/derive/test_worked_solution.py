@@ -146,7 +146,7 @@ def test_no_line_says_that_something_is_itself(code):
 
 
 def test_an_angle_is_told_in_degrees_too():
-    assert r"= 1.571\,\mathrm{rad} = 90.00\,\mathrm{{}^{\circ}}$$" in told("X12.7")
+    assert r"= 1.571\,\mathrm{rad} = 90.00\mathrm{{}^{\circ}}$$" in told("X12.7")
     assert r"{}^{\circ}}$$" in told("E12.3.2")
 
 

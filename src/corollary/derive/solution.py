@@ -82,7 +82,8 @@ class SolvedRoute:
 class SolvedFunction:
     """A function that the laws of a step fix, such as v(t): its formula in its own letter, in givens and in earlier unknowns.
 
-    `form` is the kind of differential equation it solves ("": none); `dimensions` those of the function and of its letter, where known.
+    `form` is the kind of differential equation it solves ("": none); `dimensions` those of the function and of its letter, where known;
+    `printed` is the formula as a worked solution prints it.
     """
 
     name: str
@@ -90,6 +91,7 @@ class SolvedFunction:
     formula: Expr
     form: str
     dimensions: Mapping[str, Dimension]
+    printed: Expr | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +109,8 @@ class Unknown:
 
     `in_givens` computes it from givens alone (None: simulated); `rejected` says why each other root is not meant; `note` how an
     extremum was found. `where` are the conditions on the root that is meant (None: not relations), `others` the roots that are
-    not, `aside` what the laws needed besides, in givens.
+    not, `aside` what the laws needed besides, in givens. `printed` and `printed_in_givens` are the formulas as a worked solution prints
+    them (empty: not chosen).
     """
 
     statement: Statement
@@ -125,6 +128,8 @@ class Unknown:
     where: tuple[Relation, ...] | None = ()
     others: tuple[OtherRoot, ...] = ()
     aside: Mapping[str, Expr] = field(default_factory=dict[str, Expr])
+    printed: tuple[Expr, ...] = ()
+    printed_in_givens: tuple[Expr, ...] | None = None
 
     @property
     def part(self) -> str:

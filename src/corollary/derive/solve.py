@@ -26,6 +26,7 @@ from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.optimum import best
 from corollary.derive.parts import dimensions_asked, misfits, unsolved
 from corollary.derive.paths import with_paths
+from corollary.derive.presentation import with_presentation
 from corollary.derive.roots import NoRoot, Picked, exchanged, pick, roots
 from corollary.derive.solution import (
     ClaimedCondition,
@@ -203,7 +204,7 @@ def solved_derivation(bank: Bank, problem: Problem) -> SolvedDerivation:
     """The same with what it was found from. Raises NotDerivable."""
     loaded = load(bank, problem)
     found = tuple(solvers(problem, loaded))
-    return SolvedDerivation(loaded, found, _of_all_cases(found))
+    return SolvedDerivation(loaded, found, with_presentation(_of_all_cases(found)))
 
 
 def _of_all_cases(found: Sequence[Solver]) -> Solution:

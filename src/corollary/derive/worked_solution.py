@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
-import re
+import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
-from itertools import chain, groupby
 
 from corollary.answers.option_names import option_named
 from corollary.answers.spellings import main_spelling
 from corollary.answers.ways import in_words
+from corollary.derive.introduced_letters import (
+    asked_for,
+    constants_of_nature,
+    explained,
+    found_first,
+    introduced,
+)
+from corollary.derive.numbers_in_formulas import broken, given_numbers, quantity, without_repetition
 from corollary.derive.solution import (
     AppliedLaw,
     ClosedForms,
@@ -23,171 +31,25 @@ from corollary.derive.solution import (
     Unknown,
 )
 from corollary.derive.statements import Code, Explain
+from corollary.formula.arithmetics import DOUBLES, ready
 from corollary.formula.ast import Expr, Name, Number, Relation, names
 from corollary.formula.ball import certified
+from corollary.formula.errors import NotAvailable
 from corollary.formula.latex import latex, letter, vector
+from corollary.formula.layout import cost
 from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
 from corollary.messages import catalogue, in_convention
 from corollary.problem.part import Part
-from corollary.problem.problem import Problem
 from corollary.problem.statement import formulas_in_convention
 from corollary.problem.translation import in_language
-from corollary.problem.variant import Variant, number
+from corollary.problem.variant import Variant
 from corollary.units.unit import Unit, si_unit
-from corollary.units.unit import latex as unit_latex
 from corollary.units.unit import unit as unit_of
 
 _ = catalogue(__name__)
 
-FIGURES = 4  # one more than students' numbers have, so that a value can be used again without rounding anew
-
-
-def given_numbers(variant: Variant) -> dict[str, str]:
-    """Each given as it stands in a formula: number and unit."""
-    numbers: dict[str, str] = {}
-    for given in variant.problem.givens:
-        unit, value = given.unit, variant.values[given.symbol]
-        if unit.offset:  # a formula takes a temperature in kelvin
-            unit, value = si_unit(unit.dimension), unit.to_si(value)[0]
-        symbol = unit_latex(unit)
-        text = number(given, value).replace("−", "-")
-        mantissa, _, power = text.partition("e")
-        text = rf"{mantissa}\cdot 10^{{{power}}}" if power else mantissa
-        numbers[given.symbol] = _bracketed(text + (rf"\,{symbol}" if symbol else ""), text)
-    return numbers
-
-
-def quantity(value: float, unit: Unit, *, in_formula: bool = False) -> str:
-    """A value in SI, in a unit; in a formula it stands in brackets."""
-    in_unit = unit.from_si(value)
-    text = decimal_text(in_unit, FIGURES) if in_unit else "0"
-    mantissa, _, power = text.partition("e")
-    text = rf"{mantissa}\cdot 10^{{{power}}}" if power else mantissa
-    symbol = unit_latex(unit)
-    whole = text + (rf"\,{symbol}" if symbol else "")
-    return _bracketed(whole, text) if in_formula else whole
-
-
-def _bracketed(whole: str, text: str) -> str:
-    """In brackets where a sign or a unit could be misread inside a product or a power."""
-    return rf"({whole})" if whole != text or text.startswith("-") else whole
-
-
-WIDEST = 75  # letters: about what fits on a line of A4 between the margins
-FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}")
-COMMAND = re.compile(r"\\(?:left|right|mathrm|cdot|sqrt|,)|[{}\\ ^]")
-
-
-def without_repetition(steps: list[str]) -> list[str]:
-    """A chain in which no side is the one before it in brackets: `(14.10) = 14.10` says nothing."""
-    found: list[str] = []
-    for step in steps:
-        if found and _bare(found[-1]) == _bare(step):
-            found.pop()
-        found.append(step)
-    return found
-
-
-def _bare(step: str) -> str:
-    return re.sub(r"\\left|\\right|[() ]", "", step)
-
-
-def broken(steps: list[str]) -> list[str]:
-    """A chain of equalities in lines that fit a page; a new line begins with its equals sign."""
-    lines = [steps[0]]
-    for step in steps[1:]:
-        if width(lines[-1]) + width(step) > WIDEST and lines[-1] != steps[0]:
-            lines.append(f"= {step}")
-        else:
-            lines[-1] += f" = {step}"
-    return lines
-
-
-def width(formula: str) -> int:
-    """About how many letters wide a formula is set: the wider line of a fraction counts, commands do not."""
-    while (inner := FRACTION.search(formula)) is not None:
-        formula = formula[: inner.start()] + max(inner[1], inner[2], key=len) + formula[inner.end() :]
-    return len(COMMAND.sub("", formula))
-
-
-FEW = 6  # letters that a heading has room for; a matrix has as many as forty
-
-
-def introduced(found: Collection[Unknown], problem: Problem) -> list[str]:
-    """A line that names the givens that occur where these are found, and an empty one; constants of nature have a line of their
-    own. `problem` is in the language spoken."""
-    used = frozenset[str]().union(*map(_letters_in_laws, found))
-    used |= names(*(tree for each in found for tree in each.in_givens or ()))
-    given = {each.symbol: each.meaning for each in problem.givens if each.symbol in used and not each.source}
-    return _line((name, meaning) for name, meaning in given.items() if meaning)
-
-
-def constants_of_nature(problem: Problem) -> list[str]:
-    """A line for each: its value, what it is, and where the value is from."""
-    return [
-        f"- ${letter(given.symbol)} = {quantity(float(given.value), given.unit)}$, {given.meaning} ({given.source})"
-        for given in problem.givens
-        if given.source
-    ]
-
-
-def asked_for(find: Unknown) -> str:
-    """The letters of what a part asks for, as they stand behind its title."""
-    spoken = [f"${letter(name)}$" for name in find.names]
-    return ", ".join(spoken if len(spoken) <= FEW else [spoken[0], "…", spoken[-1]])
-
-
-def found_first(find: Unknown, solution: Solution) -> str:
-    """The letters of what nobody asks for, each with what it stands for."""
-    return _listed((name, solution.meanings.get(name, "")) for name in find.names)
-
-
-def explained(find: Unknown, solution: Solution, known: Collection[str]) -> list[str]:
-    """A line that names the letters of this step which the author explains and that no line has named (not `known`), and an empty one."""
-    headed = () if find.part else find.names
-    used = _letters_in_laws(find) | set(find.names)
-    return _line(
-        (name, meaning)
-        for name, meaning in solution.meanings.items()
-        if name in used and name not in known and name not in headed
-    )
-
-
-def unexplained(solution: Solution) -> Iterator[tuple[int, str]]:
-    """Letters that a step's laws have and nothing introduces, with the step's line.
-
-    Introduced is what is given, what its author explains, what is asked for and found here or before, and what stands alone on
-    the left of a law, for then the law's name says what it is.
-    """
-    known = {given.symbol for given in solution.problem.givens} | solution.meanings.keys() | {"pi"}
-    for find in solution.unknowns:
-        together = [each for each in solution.unknowns if each.statement.solved_with(find.statement)]
-        for each in (find, *together):
-            known |= set(each.names) if each.part else set()
-        known |= {each.left.name for law in find.laws for each in law.here if isinstance(each.left, Name)}
-        known |= {name for each in find.functions for name in (each.name, each.letter)}
-        for name in sorted((_letters_in_laws(find) | set(find.names)) - known):
-            known.add(name)
-            yield find.statement.line, name
-
-
-def _letters_in_laws(find: Unknown) -> frozenset[str]:
-    return frozenset(chain.from_iterable(names(relation) for law in find.laws for relation in law.here))
-
-
-def _line(letters: Iterable[tuple[str, str]]) -> list[str]:
-    listed = _listed(letters)
-    return [_("*Letters:* {letters}.", letters=listed), ""] if listed else []
-
-
-def _listed(letters: Iterable[tuple[str, str]]) -> str:
-    """Those that follow each other and stand for the same, such as components, have it said once."""
-    together = (
-        (meaning, [f"${letter(name)}$" for name, _word in each])
-        for meaning, each in groupby(letters, lambda pair: pair[1])
-    )
-    return ", ".join(", ".join(each) + (f" ({meaning})" if meaning else "") for meaning, each in together)
+TOO_LONG = 45  # the cost of a formula in givens that nobody reads any more
 
 
 def listed_forces(stated: SolvedForces, part: Part) -> Iterator[str]:
@@ -314,7 +176,7 @@ def worked_steps(
     not ask there is only what the others need."""
     problem, asked = in_language(solution.problem), {part.id for part in variant.problem.parts}
     steps = asked_steps(solution, asked)
-    known = given_numbers(variant)
+    known, si = given_numbers(variant), dict(variant.si)
     lines = constants_of_nature(problem)
     lines = [*introduced(steps.values(), problem), *lines, *[""] * bool(lines)]
     if solution.case:
@@ -333,14 +195,15 @@ def worked_steps(
         met |= {*find.names} | names(*(relation for law in find.laws for relation in law.here))
         again = before is not None and find.statement.solved_with(before.statement)
         found = _from_the_same_laws if again else _unknown
-        lines += [heading, "", *letters_here, *found(find, numbers, part, known), ""]
+        lines += [heading, "", *letters_here, *found(find, numbers, part, known, si), ""]
         before = find
         for name, value, unit in zip(find.names, numbers, _units(find, part), strict=True):
             in_formula = si_unit(unit.dimension) if unit.offset else unit  # a temperature in kelvin
             known[name] = quantity(value, in_formula, in_formula=True)
+            si[name] = value
         for each, (most, share) in zip(solution.neglected, neglected, strict=True):
             if part and each.statement.part == part.id:
-                lines += [*_neglected(each, most, share, part, known), ""]
+                lines += [*_neglected(each, most, share, part, known, si), ""]
         yield formulas_in_convention("\n".join(lines))
         lines = []
     for part in problem.parts:
@@ -363,7 +226,11 @@ def _heading(part: Part) -> str:
 
 
 def _unknown(
-    find: Unknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]
+    find: Unknown,
+    numbers: tuple[float, ...],
+    part: Part | None,
+    known: Mapping[str, str],
+    si: Mapping[str, float],
 ) -> list[str]:
     lines = [find.statement.because, ""]
     for law in find.laws:
@@ -374,7 +241,7 @@ def _unknown(
         lines += [find.note.spoken(), ""]
     for reason in find.rejected:
         lines += [_("*Another root of these laws is rejected:* {reason}.", reason=reason.spoken()), ""]
-    lines += _result(find, numbers, part, known)
+    lines += _result(find, numbers, part, known, si)
     for route in find.routes:
         because, laws = route.stated.because, route.stated.laws
         lines += ["", _("*Another way.* {because}", because=because), "", *(_law(law) + "\n" for law in laws)]
@@ -384,10 +251,14 @@ def _unknown(
 
 
 def _from_the_same_laws(
-    find: Unknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]
+    find: Unknown,
+    numbers: tuple[float, ...],
+    part: Part | None,
+    known: Mapping[str, str],
+    si: Mapping[str, float],
 ) -> list[str]:
     """What else a system of laws gives, which stand in the step before."""
-    lines = [_("The same laws give this, too."), "", *_result(find, numbers, part, known)]
+    lines = [_("The same laws give this, too."), "", *_result(find, numbers, part, known, si)]
     if find.statement.check:
         lines += ["", _("*Check:* {check}", check=find.statement.check)]
     return lines
@@ -395,7 +266,7 @@ def _from_the_same_laws(
 
 def _function(function: SolvedFunction) -> list[str]:
     """A function as it follows from the laws."""
-    found = rf"$${letter(function.name)}({letter(function.letter)}) = {latex(function.formula)}$$"
+    found = rf"$${letter(function.name)}({letter(function.letter)}) = {latex(function.printed or function.formula)}$$"
     if not function.form:
         return [_("So at any ${letter}$:", letter=letter(function.letter)), "", found]
     solved = _(
@@ -406,7 +277,12 @@ def _function(function: SolvedFunction) -> list[str]:
 
 
 def _neglected(
-    each: SolvedNeglected, most: float, share: float, part: Part, known: Mapping[str, str]
+    each: SolvedNeglected,
+    most: float,
+    share: float,
+    part: Part,
+    known: Mapping[str, str],
+    si: Mapping[str, float],
 ) -> list[str]:
     """What the answer neglects, by which laws it is bounded, and how little of the answer that is."""
     find = each.bound
@@ -422,7 +298,7 @@ def _neglected(
     for law in find.laws:
         lines += [_law(law), ""]
     bracketed = {name: f"({text})" for name, text in texts.items()}
-    lines += _result(replace(find, in_givens=None), (most,), part, {**known, **bracketed})
+    lines += _result(replace(find, in_givens=None), (most,), part, {**known, **bracketed}, si)
     size = (
         _("{percent} % of the answer", percent=in_convention(decimal_text(100 * share, 2)))
         if share
@@ -458,17 +334,26 @@ def _law(law: AppliedLaw) -> str:
 
 
 def _result(
-    find: Unknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]
+    find: Unknown,
+    numbers: tuple[float, ...],
+    part: Part | None,
+    known: Mapping[str, str],
+    si: Mapping[str, float],
 ) -> list[str]:
     lines: list[str] = []
     for place, (name, value, unit) in enumerate(zip(find.names, numbers, _units(find, part), strict=True)):
         answer = quantity(value, unit)
         match find.local:
             case ClosedForms(trees):
-                in_givens = find.in_givens[place] if find.in_givens else None
+                local = _printed(find.printed, trees, place, value, si)
+                whole = (
+                    _printed(find.printed_in_givens, find.in_givens, place, value, si)
+                    if find.in_givens
+                    else None
+                )
                 steps = [
                     letter(name),
-                    *_algebra(trees[place], in_givens, known),
+                    *_algebra(local, whole, known),
                     answer,
                     *_degrees(value, unit),
                 ]
@@ -485,6 +370,19 @@ def _result(
     return lines
 
 
+def _printed(
+    forms: Sequence[Expr] | None, trees: Sequence[Expr], place: int, value: float, si: Mapping[str, float]
+) -> Expr:
+    """The form to print, where it has the value for these numbers; else the formula itself. A form may rest on a sign."""
+    if forms:
+        with suppress(NotAvailable, KeyError, ValueError, ArithmeticError, TypeError):
+            if math.isclose(
+                ready(forms[place], DOUBLES)(si), value, rel_tol=1e-6, abs_tol=1e-9 * abs(value) or 1e-12
+            ):
+                return forms[place]
+    return trees[place]
+
+
 def _units(find: Unknown, part: Part | None) -> Sequence[Unit]:
     """Those that the part asks for; of what nobody asks for, those of the SI."""
     return part.units_for(len(find.dimensions)) if part else list(map(si_unit, find.dimensions))
@@ -495,11 +393,16 @@ def _algebra(tree: Expr, in_givens: Expr | None, known: Mapping[str, str]) -> li
     if isinstance(tree, Number):
         return []
     steps = [latex(tree)]
-    if in_givens is not None and in_givens != tree and names(in_givens):
+    if in_givens is not None and in_givens != tree and names(in_givens) and not _needless(tree, in_givens):
         steps.append(latex(in_givens))
     if names(tree) - {"pi"} and not isinstance(tree, Name):
         steps.append(latex(tree, known))
     return steps
+
+
+def _needless(tree: Expr, in_givens: Expr) -> bool:
+    """True if the formula in givens says the same in other words, or takes a page where the step itself takes a line."""
+    return names(tree) == names(in_givens) or cost(in_givens) > max(TOO_LONG, 2 * cost(tree))
 
 
 def _degrees(value: float, unit: Unit) -> list[str]:

@@ -88,6 +88,10 @@ def _latex(tree: Expr, letters: Mapping[str, str]) -> tuple[str, int]:
                 f"{_named(function)}^{{{_latex(exponent, letters)[0]}}}{_argument(argument, letters)}",
                 TIMES,
             )
+        case Power(base, Quotient(Number(Fraction(numerator=1, denominator=1)), Number(degree))) if (
+            degree > 2
+        ):
+            return rf"\sqrt[{degree}]{{{_latex(base, letters)[0]}}}", ATOM
         case Power(base, exponent):
             return f"{within(base, ATOM)}^{{{_latex(exponent, letters)[0]}}}", RAISE
         case Call(function, arguments) if function in OPERATORS:

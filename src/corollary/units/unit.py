@@ -518,7 +518,7 @@ def latex(unit: Unit) -> str:
     r"""As TeX sets it, upright: `\mathrm{kg\,m/s^{2}}`; nothing for a plain number."""
     if unit.text == "1":
         return ""
-    raised = re.sub(r"\^(\(?[-0-9./]+\)?)", r"^{\1}", unit.text)
+    raised = re.sub(r"\^(\([-0-9./]+\)|-?[0-9.]+)", r"^{\1}", unit.text)
     micro = re.sub(r"\bu(?=[a-zA-Z])", r"\\mu ", raised).replace("*", r"\,")
     named = NAMES_IN_TEX.sub(lambda found: IN_TEX[found[0]], micro.replace(DIFFERENCE, ""))
     return rf"\mathrm{{{named}}}"

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator
 
 from corollary.answers.expected import Values
+from corollary.derive.introduced_letters import unexplained
 from corollary.derive.solution import ClosedForms, SceneOutcome, Solution, Unknown
 from corollary.derive.statements import Code, Plot
-from corollary.derive.worked_solution import unexplained
 from corollary.formula.ast import Relation, names
 from corollary.formula.ball import Undefined
 from corollary.grading.key import Key

@@ -9,8 +9,8 @@ from fractions import Fraction
 
 from corollary.answers.option_names import option_named
 from corollary.answers.registry import answer_type
+from corollary.derive.numbers_in_formulas import given_numbers, quantity
 from corollary.derive.solution import AppliedLaw, Solution
-from corollary.derive.worked_solution import given_numbers, quantity
 from corollary.formula.ast import Name, Number, names
 from corollary.formula.latex import latex, letter, vector
 from corollary.formula.numerals import decimal_text
