@@ -201,11 +201,11 @@ def _forms(start: sympy.Expr) -> Iterator[sympy.Expr]:
     if 1 < len(terms) <= MANY:
         below, above = sympy.factor(bottom), sympy.factor(top)
         yield above / below
-        sums: Sequence[Any] = [getattr(each, "base", each) for each in sympy.Mul.make_args(above)]
+        sums: Sequence[Any] = [each.as_base_exp()[0] for each in sympy.Mul.make_args(above)]
         if any(len(each.args) > FEW for each in sums if each.is_Add):
             for letter in sorted(top.free_symbols, key=str)[:MANY]:
                 if sum(term.has(letter) for term in terms) > 1:
-                    yield sympy.collect(top, letter, sympy.factor_terms) / below
+                    yield cast(sympy.Expr, sympy.collect(top, letter, sympy.factor_terms) / below)
         yield sympy.Add(*(term / below for term in terms))
     yield sympy.expand_mul(start)
     for node in start.atoms(sympy.atan):
