@@ -189,7 +189,7 @@ def _forms(start: sympy.Expr) -> Iterator[sympy.Expr]:
     size = sympy.count_ops(start)
     if size > 4 * LARGE:
         return
-    yield sympy.factor_terms(start)
+    yield cast(sympy.Expr, sympy.factor_terms(start))
     together = sympy.together(start)
     yield together
     if size > LARGE:
