@@ -189,8 +189,8 @@ def _forms(start: sympy.Expr) -> Iterator[sympy.Expr]:
     size = sympy.count_ops(start)
     if size > 4 * LARGE:
         return
-    yield cast(sympy.Expr, sympy.factor_terms(start))
-    together = sympy.together(start)
+    yield sympy.factor_terms(start)
+    together = cast(sympy.Expr, sympy.together(start))
     yield together
     if size > LARGE:
         return
