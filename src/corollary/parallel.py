@@ -140,7 +140,7 @@ def _started(initializer: Callable[..., None], given: tuple[Any, ...]) -> tuple[
 
 def _work(pipe: Connection, initializer: Callable[..., None], given: tuple[Any, ...]) -> None:
     """In a process: task after task, until None comes."""
-    _begin()
+    begin()
     initializer(*given)
     while task := pipe.recv():
         work, arguments = task
@@ -155,7 +155,7 @@ def _work(pipe: Connection, initializer: Callable[..., None], given: tuple[Any, 
             pipe.send((False, error))
 
 
-def _begin() -> None:
+def begin() -> None:
     """In a new process: Ctrl-C ends it at once, and it does not outlive the one that made it, however that one ends."""
     gc.freeze()  # what was there before stays: looking through it again and again would be a tenth to a fifth of the time
     gc.set_threshold(100_000, 50, 100)

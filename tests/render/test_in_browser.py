@@ -10,8 +10,9 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from corollary.cli.author_words import author_words
 from corollary.cli.commands import app
-from corollary.cli.preview import previewed
+from corollary.cli.variants_shown import variants_shown
 from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
@@ -22,6 +23,7 @@ from corollary.records.marks import record_of
 from corollary.records.statistics import set_statistics
 from corollary.render.exports import target
 from corollary.render.feedback_page import feedback_page, page_facts
+from corollary.render.preview_page import preview_page
 from corollary.render.report_page import report_page
 
 pytestmark = pytest.mark.browser
@@ -73,7 +75,7 @@ def pages(tmp_path_factory) -> dict[str, Path]:
         "report": report_page(summary, sample, statistics=set_statistics(summary, {})),
         "sheet": write(worksheet(momentum, Student("ada", "Ada"), variants), solutions),
     }
-    texts["preview"] = previewed(chapter_bank(), variants[0].problem.path)
+    texts["preview"] = preview_page(author_words(), variants_shown(chapter_bank(), variants[0].problem.path))
     for name, text in texts.items():
         (folder / f"{name}.html").write_text(text, encoding="utf-8")
     done = CliRunner().invoke(app, ["audit", str(AUDITED), "--report", str(folder / "audit.html")])

@@ -175,7 +175,7 @@ command(
 )
 command(
     "preview",
-    "Open a local page that reloads: twenty variants, redrawn ones marked and why, key, mistakes and tolerance.",
+    "Open a local page to write a problem on: both texts beside twenty variants, verified as you type, saved on command.",
     CODE,
     *BANK_AND_LANGUAGE,
     *PAGE,

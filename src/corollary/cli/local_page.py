@@ -54,7 +54,7 @@ class _Handler(BaseHTTPRequestHandler):
     server: OnePageServer  # pyright: ignore[reportIncompatibleVariableOverride]
 
     def do_GET(self) -> None:
-        if self._is_meant() and self.path == f"/{self.server.token}/":
+        if self._is_meant() and self.path.partition("?")[0] == f"/{self.server.token}/":
             with self.server.one_at_a_time:
                 text = self.server.context.run(self.server.page)
             self._answer(HTTPStatus.OK, text, "text/html")

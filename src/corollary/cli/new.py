@@ -32,6 +32,18 @@ NO_TOPIC = "exercises"
 def run(code: str, name: str, like: str | None, translate: bool, bank: Path | None, as_json: bool) -> int:
     if translate:
         return _translate(code, name, bank, as_json)
+    place = _place(bank)
+    problem, solution = create(place, code, name, like)
+    if as_json:
+        answer({"code": code, "problem": str(problem), "solution": str(solution)})
+        return HOLDS
+    printed = re.search(r"printed[(:]", solution.read_text(encoding="utf-8")) if like else None
+    _say_what_next(code, place, problem, solution, like if printed else None)
+    return HOLDS
+
+
+def create(place: Bank, code: str, name: str, like: str | None = None) -> tuple[Path, Path]:
+    """Write the files of a new problem and return their paths. Raises Refusal where nothing can be written."""
     if not CODE.match(code):
         refuse(
             f"{code} is not a valid code; use letters and digits, separated by points, such as Q1 or X12.5"
@@ -41,7 +53,6 @@ def run(code: str, name: str, like: str | None, translate: bool, bank: Path | No
             f"{name} is not a valid file name; use letters, digits and _, such as sliding_box, or topic/sliding_box"
         )
     topic, stem = words.groups()
-    place = _place(bank)
     have = codes(place)
     for path, other in have.items():
         if other.lower() == code.lower():
@@ -67,11 +78,7 @@ def run(code: str, name: str, like: str | None, translate: bool, bank: Path | No
         shutil.copyfile(theirs, ours)
     if model and (beside := model[0].solution(model[1]).with_suffix("")).is_dir():
         shutil.copytree(beside, solution.with_suffix(""), ignore=shutil.ignore_patterns("__pycache__"))
-    if as_json:
-        answer({"code": code, "problem": str(problem), "solution": str(solution)})
-        return HOLDS
-    _say_what_next(code, place, problem, solution, like if re.search(r"printed[(:]", derives) else None)
-    return HOLDS
+    return problem, solution
 
 
 def _translate(code: str, spoken: str, bank: Path | None, as_json: bool) -> int:

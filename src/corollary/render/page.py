@@ -29,16 +29,18 @@ def page(
     script: str | tuple[str, ...] = (),
     sends: bool = False,
     loads: bool = False,
+    style: str = "",
+    formulas: bool = False,
     **facts: object,
 ) -> str:
     """The page a template of `templates/` makes of the facts; what is no Markup among them is escaped.
 
     `script` names a file of `templates/`, or several. Nothing else runs, and nothing is fetched: the page's own policy forbids both,
     but that a page which `sends` may answer the server that it came from, and one that `loads` may run the files beside it and
-    Python in WebAssembly.
+    Python in WebAssembly. `style` names a style sheet of its own; with `formulas` it brings the font for those that come later.
     """
     body = CONTROLS.sub("\ufffd", environment().get_template(template).render(**facts))
-    style = _style("<math" in body)
+    sheet = _style(formulas or "<math" in body) + (_text(style) if style else "")
     program = "".join(map(_text, (script,) if isinstance(script, str) else script))
     whole = (
         environment()
@@ -47,8 +49,8 @@ def page(
             title=CONTROLS.sub("\ufffd", title),
             lang=lang,
             body=Markup(body),
-            policy=_policy(style, program, loads) + ("; connect-src 'self'" if sends else ""),
-            style=Markup(style),
+            policy=_policy(sheet, program, loads) + ("; connect-src 'self'" if sends else ""),
+            style=Markup(sheet),
             script=Markup(program),
         )
     )

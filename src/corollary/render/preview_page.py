@@ -1,19 +1,38 @@
-"""The page that shows an author one problem: what is wrong with it, its draws, and each of them whole."""
+"""The page on which an author writes one problem, and the piece of it that shows its draws, each of them whole."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from markupsafe import Markup
 
 from corollary.notebook.worksheet import Exercise
-from corollary.problem.diagnostic import Diagnostic
 from corollary.problem.variant import number
-from corollary.render.page import page
+from corollary.render.page import environment, page
 from corollary.render.wording import wanted
 from corollary.units.unit import Unit, show
 from corollary.verify.drawn import Draw, KeyedPart
+
+
+@dataclass(frozen=True, slots=True)
+class AuthorWord:
+    """A word that an author may write, what it means, and a line to begin with."""
+
+    word: str
+    meaning: str
+    example: str
+
+
+@dataclass(frozen=True, slots=True)
+class AuthorWords:
+    """Words of one kind; `side` is the text in which they stand, `inline` words stand within a line."""
+
+    title: str
+    side: Literal["problem", "solution"]
+    words: tuple[AuthorWord, ...]
+    inline: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,30 +61,35 @@ class Sheet:
         return [number(given, values[given.symbol]) for given in self.exercise.problem.givens]
 
 
-def preview_page(
-    heading: str,
-    sheets: Sequence[Sheet],
-    redrawn: int,
-    complaints: Sequence[Diagnostic],
-    edition: str,
-    advice: str = "",
-) -> str:
-    """One page that needs nothing but the server that gave it, and asks it whether `edition` still holds; `redrawn` counts
-    those too that no sheet is of, and `advice` says what would leave fewer."""
+def preview_page(words: Sequence[AuthorWords], variants: str = "") -> str:
+    """One page that needs nothing but the server that gave it, which it asks for texts, complaints and variants."""
     return page(
         "preview.html",
-        title=f"{heading}: preview",
+        title="Preview",
         script="preview.js",
+        style="preview.css",
         sends=True,
-        heading=heading,
-        sheets=sheets,
-        dealt=sum(not sheet.draw.reason for sheet in sheets[1:]),
-        redrawn=redrawn,
-        advice=advice,
-        complaints=complaints,
-        edition=edition,
-        wanted=wanted,
-        in_unit=in_unit,
+        formulas=True,
+        words=words,
+        variants=Markup(variants),
+    )
+
+
+def variants_piece(heading: str, sheets: Sequence[Sheet], redrawn: int, advice: str) -> str:
+    """The draws as a table, and each of them whole; `redrawn` counts those too that no sheet is of, and `advice` says what would
+    leave fewer."""
+    return (
+        environment()
+        .get_template("variants.html")
+        .render(
+            heading=heading,
+            sheets=sheets,
+            dealt=sum(not sheet.draw.reason for sheet in sheets[1:]),
+            redrawn=redrawn,
+            advice=advice,
+            wanted=wanted,
+            in_unit=in_unit,
+        )
     )
 
 
