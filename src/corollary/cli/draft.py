@@ -25,32 +25,16 @@ from corollary.messages import language, spoken
 from corollary.parallel import begin
 from corollary.problem.author_files import Side
 from corollary.problem.bank import Bank, codes, open_bank
-from corollary.problem.diagnostic import Malformed
+from corollary.problem.diagnostic import Malformed, name_in_bank
 from corollary.problem.problem import Problem
 from corollary.problem.reader import read_problem
 from corollary.verify.expected_answers import unexpected
 from corollary.verify.program_checks import unstarted
 from corollary.verify.verify import SLOW, Verification
 
-MARK = ".solution"
-"""Stands in the name of a draft's solution, whose complaints would else begin as those of its problem do."""
-PLACE = re.compile(r"(?P<name>[^\s:]+):(?:(?P<line>\d+):)? (?P<sentence>.*)", re.DOTALL)
+PLACE = re.compile(r"(?P<name>[^:]+):(?:(?P<line>\d+):)? (?P<sentence>.*)", re.DOTALL)
 WARM = "corollary.cli.draft_warm"
 SAVED_ONLY = "this page does not run programs that were put beside the solutions after it was opened"
-
-
-@dataclass(frozen=True, slots=True)
-class DraftBank(Bank):
-    """A copy of one problem's bank in which its solution in text has a name of its own."""
-
-    @property
-    def each(self) -> tuple[Bank, ...]:
-        return (self,)
-
-    def solution_beside(self, path: Path) -> Path:
-        beside = Bank.solution_beside(self, path)
-        marked = beside.with_name(f"{path.stem}{MARK}.md")
-        return marked if marked.is_file() else beside
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +74,7 @@ class Progress:
     seconds: float = 0.0
 
 
-def lay_out(folder: Path, draft: Draft) -> tuple[DraftBank, Path]:
+def lay_out(folder: Path, draft: Draft) -> tuple[Bank, Path]:
     """The draft as a bank in an empty folder: its texts, and links to all that lies beside them. Returns its problem's file, too."""
     home = open_bank(Path(draft.place)).home_of(draft.path)
     within = draft.path.relative_to(home.problems)
@@ -100,12 +84,8 @@ def lay_out(folder: Path, draft: Draft) -> tuple[DraftBank, Path]:
     problem.write_text(_text(draft, "problem", draft.path), encoding="utf-8")
     beside = folder / "solutions" / within
     if solution.suffix == ".md" and solution.is_file():
-        derives = _text(draft, "solution", solution)
-        for path in (beside, beside.with_name(f"{within.stem}{MARK}.md")):
-            path.write_text(derives, encoding="utf-8")
-        if (program := solution.with_suffix(".py")).is_file():
-            beside.with_name(f"{within.stem}{MARK}.py").symlink_to(program.resolve())
-    return DraftBank(folder), problem
+        beside.write_text(_text(draft, "solution", solution), encoding="utf-8")
+    return Bank(folder), problem
 
 
 def _text(draft: Draft, side: Side, path: Path) -> str:
@@ -137,7 +117,6 @@ def found_in(folder: Path, draft: Draft) -> Iterator[tuple[str, Any]]:
     shutil.rmtree(folder / "bank", ignore_errors=True)
     forget_scenes()
     bank, path = lay_out(folder / "bank", draft)
-    stem = path.stem
     try:
         problem = read_problem(path)
     except Malformed as error:
@@ -157,28 +136,29 @@ def found_in(folder: Path, draft: Draft) -> Iterator[tuple[str, Any]]:
         )
         yield "ok", False
         return
-    if bank.solution(problem).suffix == ".md":  # read before the words are, which takes longer
+    files = path, bank.solution(problem)
+    if files[1].suffix == ".md":  # read before the words are, which takes longer
         try:
             load(bank, problem)
         except NotDerivable as error:
-            yield "complaints", [*taken, placed(str(error), stem)]
+            yield "complaints", [*taken, placed(str(error), *files)]
     shown = False
     with unstarted() as runner:
         whole = Verification(bank, problem, runner=runner)
         for stage in whole.stages():
-            yield from _so_far(whole, stem, taken)
+            yield from _so_far(whole, files, taken)
             if stage == SLOW[0]:
                 yield "stage", "variants shown"
                 yield "html", _html(bank, path)
                 shown = True
             yield "stage", stage
-        yield from _so_far(whole, stem, taken)
+        yield from _so_far(whole, files, taken)
     tally = whole.tally
     asked = [] if tally.complaints else list(filter(None, [unexpected(problem)]))
-    yield "notes", [placed(each, stem) for each in (*tally.notes, *asked)]
+    yield "notes", [placed(each, *files) for each in (*tally.notes, *asked)]
     if not shown:
         yield "html", _html(bank, path)
-    yield "summary", _unmarked("\n".join(tally.mutation.lines), stem) if tally.mutation is not None else ""
+    yield "summary", "\n".join(tally.mutation.lines) if tally.mutation is not None else ""
     yield "ok", not tally.complaints and not taken
 
 
@@ -189,8 +169,10 @@ def _html(bank: Bank, path: Path) -> str:
         return ""
 
 
-def _so_far(whole: Verification, stem: str, taken: list[PlacedComplaint]) -> Iterator[tuple[str, Any]]:
-    yield "complaints", [*taken, *(placed(each, stem) for each in dict.fromkeys(whole.tally.complaints))]
+def _so_far(
+    whole: Verification, files: tuple[Path, Path], taken: list[PlacedComplaint]
+) -> Iterator[tuple[str, Any]]:
+    yield "complaints", [*taken, *(placed(each, *files) for each in dict.fromkeys(whole.tally.complaints))]
     yield "checks", sum(whole.tally.counts.values())
 
 
@@ -205,22 +187,13 @@ def _taken(draft: Draft, problem: Problem) -> list[PlacedComplaint]:
     ][:1]
 
 
-def placed(sentence: str, stem: str) -> PlacedComplaint:
-    """A sentence of `verify` on a draft, with its place taken off its beginning."""
+def placed(sentence: str, problem: Path, solution: Path) -> PlacedComplaint:
+    """A sentence of `verify` on the problem in these files, with its place taken off its beginning."""
     found = PLACE.fullmatch(sentence)
-    sides: dict[str, Side] = {
-        f"{stem}.md": "problem",
-        f"{stem}{MARK}.md": "solution",
-        f"{stem}.py": "solution",
-    }
-    side = sides.get(found["name"]) if found else None
-    if found is None or side is None:
-        return PlacedComplaint("", 0, _unmarked(sentence, stem))
-    return PlacedComplaint(side, int(found["line"] or 0), _unmarked(found["sentence"], stem))
-
-
-def _unmarked(sentence: str, stem: str) -> str:
-    return sentence.replace(f"{stem}{MARK}.", f"{stem}.")
+    sides: dict[str, Side] = {name_in_bank(problem): "problem", name_in_bank(solution): "solution"}
+    if found is None or (side := sides.get(found["name"])) is None:
+        return PlacedComplaint("", 0, sentence)
+    return PlacedComplaint(side, int(found["line"] or 0), found["sentence"])
 
 
 Worker = tuple[BaseProcess, Connection]

@@ -36,6 +36,7 @@ ATTRIBUTES: Mapping[str, tuple[str, str]] = {
     "letter": ("the letter students see, where ids leave gaps", 'letter="e"'),
     "tolerance": ("a share of the answer that it may be off, with its because", 'tolerance="5 %" because="it is read off a diagram"'),
     "because": ("why the tolerance is larger", 'tolerance="5 %" because="it is read off a diagram"'),
+    "given": ("equations that the question of a derivation states", 'given="w^2 = k/m"'),
     "hint": ("the first hint", 'hint="Draw the ball before and after."'),
     "plausible": ("answers that make sense, in the part's unit", 'plausible="0.1 to 30"'),
     "expected": ("your own estimate, which no student sees", 'expected="about 40 s"'),

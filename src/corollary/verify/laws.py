@@ -84,7 +84,7 @@ def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
         found = dimension_of(relation, dimensions)
         tally.count("dimensions")
         if isinstance(found, ParseError):
-            complaints.append(f"{path.name}:{line}: {name}: {sentence(found)}")
+            complaints.append(f"{name_in_bank(path)}:{line}: {name}: {sentence(found)}")
     for each in dict.fromkeys(complaints):  # of a case that holds in several ways each has its relations
         tally.complain(each)
 

@@ -18,6 +18,7 @@ from corollary.formula.value import Items, Text
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
 from corollary.problem.bank import Bank
+from corollary.problem.diagnostic import name_in_bank
 from corollary.problem.part import Part
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
@@ -71,7 +72,10 @@ def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
     for entry in solution.entries:
         if not isinstance(entry, Printed):
             continue
-        key, where = make_key(solution, chapter(solution.problem)), f"{path.name}:{entry.statement.line}"
+        key, where = (
+            make_key(solution, chapter(solution.problem)),
+            f"{name_in_bank(path)}:{entry.statement.line}",
+        )
         part = solution.problem.part(entry.statement.part)
         differences = list(_differences(key, part, entry))
         if not entry.erratum:

@@ -15,6 +15,7 @@ from corollary.grading.programs.judge_programs import code_of, plot_of
 from corollary.grading.run_programs import ran
 from corollary.guard import collecting
 from corollary.problem.bank import Bank
+from corollary.problem.diagnostic import name_in_bank
 from corollary.problem.part import Part
 from corollary.sandbox.runner import Runner
 from corollary.sandbox.zygote import CannotStart
@@ -56,12 +57,12 @@ def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = N
                 except NotDerivable as error:  # of its inputs or its judge
                     tally.complain(f"{error} (part {part.id})")
     except CannotStart as error:
-        tally.complain(f"{path.name}: its programs could not be run: {error}")
+        tally.complain(f"{name_in_bank(path)}: its programs could not be run: {error}")
 
 
 def _check_part(runner: Runner, key: Key, part: Part, path: Path, tally: Tally) -> None:
     """Raises NotDerivable where what the solution brings fails."""
-    where = f"{path.name}:{_line(key, part)}: part {part.id}"
+    where = f"{name_in_bank(path)}:{_line(key, part)}: part {part.id}"
     for name, verdict in zip(
         part.answer_types, _verdicts(runner, key, part, path, example(key, part)), strict=True
     ):

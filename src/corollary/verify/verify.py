@@ -12,7 +12,7 @@ from corollary.formula.ball import Undefined
 from corollary.grading.key import make_key
 from corollary.problem.bank import Bank
 from corollary.problem.count import variants
-from corollary.problem.diagnostic import Malformed
+from corollary.problem.diagnostic import Malformed, name_in_bank
 from corollary.problem.figure import BadFigure, drawn
 from corollary.problem.problem import Problem
 from corollary.problem.variant import at, chapter, size
@@ -110,7 +110,9 @@ class Verification:
             Exception
         ) as error:  # of a library, an author's judge or scene, or ours: it costs this problem, and no other
             path, line = place_in(error, bank.solution(problem))
-            tally.complain(f"{path.name}:{line or 1}: it cannot be verified: {type(error).__name__}: {error}")
+            tally.complain(
+                f"{name_in_bank(path)}:{line or 1}: it cannot be verified: {type(error).__name__}: {error}"
+            )
 
     def checked(self) -> Checked:
         """What was found by the stages that are done."""

@@ -233,7 +233,7 @@ def check_neglected(bank: Bank, key: Key, tally: Tally) -> None:
         allowed = key.truths[each.part].tolerance
         if not tally.check(each.left.asked or each.share <= allowed, "neglected effects"):
             tally.complain(
-                f"{path.name}:{each.left.statement.line}: part {each.part} of {key.variant.label} "
+                f"{name_in_bank(path)}:{each.left.statement.line}: part {each.part} of {key.variant.label} "
                 f"neglects {each.left.what}, which may change the answer by {each.share:.2%}, "
                 f"more than the {allowed:.2%} it may be off; narrow the ranges, or count it in"
             )

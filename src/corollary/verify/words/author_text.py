@@ -9,6 +9,7 @@ from functools import cached_property
 from pathlib import Path
 
 from corollary.answers.registry import UnknownAnswerType, answer_type
+from corollary.problem.diagnostic import name_in_bank
 from corollary.problem.figure import is_svg
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
@@ -71,8 +72,8 @@ class AuthorText:
         if wanted and "data:image" not in wanted:
             for number in (*range(self.line, len(lines) + 1), *range(1, self.line)):
                 if wanted in lines[number - 1]:
-                    return f"{self.path.name}:{number}"
-        return f"{self.path.name}:{self.line}"
+                    return f"{name_in_bank(self.path)}:{number}"
+        return f"{name_in_bank(self.path)}:{self.line}"
 
 
 _LINES: dict[tuple[Path, int], list[str]] = {}
