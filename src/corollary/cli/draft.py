@@ -78,14 +78,14 @@ def lay_out(folder: Path, draft: Draft) -> tuple[Bank, Path]:
     """The draft as a bank in an empty folder: its texts, and links to all that lies beside them. Returns its problem's file, too."""
     home = open_bank(Path(draft.place)).home_of(draft.path)
     within = draft.path.relative_to(home.problems)
-    problem, solution = folder / "problems" / within, home.solution_beside(draft.path)
-    _beside(home.problems, folder / "problems", within)
-    _beside(home.folder / "solutions", folder / "solutions", within)
+    bank, solution = Bank(folder), home.solution_beside(draft.path)
+    problem = bank.problems / within
+    _beside(home.problems, bank.problems, within)
+    _beside(home.scenes.parent, bank.scenes.parent, within)
     problem.write_text(_text(draft, "problem", draft.path), encoding="utf-8")
-    beside = folder / "solutions" / within
     if solution.suffix == ".md" and solution.is_file():
-        beside.write_text(_text(draft, "solution", solution), encoding="utf-8")
-    return Bank(folder), problem
+        bank.solution_beside(problem).write_text(_text(draft, "solution", solution), encoding="utf-8")
+    return bank, problem
 
 
 def _text(draft: Draft, side: Side, path: Path) -> str:

@@ -136,8 +136,9 @@ class Editor:
         topic = NO_TOPIC if path.parent == home.problems else path.parent.name
         wanted = name if "/" in name else f"{topic}/{name}"
         if NAME.match(wanted):  # else `create` says what is wrong with it
-            for folder in (home.problems, home.folder / "solutions"):
-                if why := locked_place(home, folder / f"{wanted}.md"):
+            problem = home.problems / f"{wanted}.md"
+            for each in (problem, home.solution_beside(problem)):
+                if why := locked_place(home, each):
                     raise ValueError(why)
         create(home, code, wanted)
         return {"problem": wanted}
