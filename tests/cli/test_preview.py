@@ -17,7 +17,7 @@ from corollary.cli.commands import app
 from corollary.cli.draft import Draft, PlacedComplaint, found_in
 from corollary.cli.local_page import edition
 from corollary.cli.preview import Editor
-from corollary.cli.variants_shown import variants_shown
+from corollary.cli.variant_sheets import rendered_variants
 from corollary.derive.item_clauses import ALLOWED, BELOW, CLAIMS
 from corollary.derive.item_examples import ITEMS, ITEMS_BELOW
 from corollary.derive.load import load
@@ -57,7 +57,7 @@ def words(piece: str) -> str:
 
 
 def test_twenty_variants_with_key_mistakes_and_tolerance(bank, problem):
-    page = variants_shown(bank, problem)
+    page = rendered_variants(bank, problem)
     assert len(re.findall(r'<section class="sheet"', page)) >= 21
     reasons = (
         "the condition <code>abs(v - w) &gt; v/5</code> does not hold</td>",
@@ -79,20 +79,20 @@ def test_twenty_variants_with_key_mistakes_and_tolerance(bank, problem):
 
 def test_a_draw_that_a_mistake_meets_says_so(bank, problem):
     change(problem, "  - abs(v - w) > v/5\n", "  - d > 0\n")
-    shown = words(variants_shown(bank, problem))
+    shown = words(rendered_variants(bank, problem))
     assert re.search(r"redrawn \(↻\)", shown)
     assert "cannot be told from the truth" in shown
 
 
 def test_a_change_of_one_sign_in_the_same_second_is_seen(bank, problem):
     solution = bank.solution_beside(problem)
-    assert "4.7619" in words(variants_shown(bank, problem))
+    assert "4.7619" in words(rendered_variants(bank, problem))
     first = edition(bank, problem)
     before = solution.stat()
     change(solution, "u = 2*d/(t + d/w)", "u = 2*d/(t - d/w)")
     os.utime(solution, ns=(before.st_atime_ns, before.st_mtime_ns + 1000))
     assert edition(bank, problem) != first
-    assert "4.7619" not in words(variants_shown(bank, problem))  # 24 km in 12 min
+    assert "4.7619" not in words(rendered_variants(bank, problem))  # 24 km in 12 min
 
 
 def test_every_edition_counts_programs_beside_the_solution(tmp_path):
@@ -120,6 +120,16 @@ def test_a_draft_is_shown_and_nothing_is_written(bank, problem, tmp_path):
     assert "You push a cart along a way of 12" in words(found["html"])
     assert found["complaints"] == []
     assert problem.read_bytes() == before
+
+
+def test_a_program_beside_the_solution_is_linked_to_and_not_written(bank, problem, tmp_path):
+    program = bank.solution_beside(problem).with_suffix(".py")
+    program.write_text("def scene(d, v, w):\n    return None\n", encoding="utf-8")
+    before = {path: path.read_bytes() for path in bank.folder.rglob("*") if path.is_file()}
+    text = changed(bank.solution_beside(problem), "The time is", "The duration is")
+    found = checked(bank, problem, tmp_path / "draft", {"solution": text}, programs=True)
+    assert "The duration is the way" in words(found["html"])
+    assert {path: path.read_bytes() for path in bank.folder.rglob("*") if path.is_file()} == before
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 from corollary.cli.author_words import author_words
 from corollary.cli.commands import app
-from corollary.cli.variants_shown import variants_shown
+from corollary.cli.variant_sheets import rendered_variants
 from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
@@ -75,7 +75,9 @@ def pages(tmp_path_factory) -> dict[str, Path]:
         "report": report_page(summary, sample, statistics=set_statistics(summary, {})),
         "sheet": write(worksheet(momentum, Student("ada", "Ada"), variants), solutions),
     }
-    texts["preview"] = preview_page(author_words(), variants_shown(chapter_bank(), variants[0].problem.path))
+    texts["preview"] = preview_page(
+        author_words(), rendered_variants(chapter_bank(), variants[0].problem.path)
+    )
     for name, text in texts.items():
         (folder / f"{name}.html").write_text(text, encoding="utf-8")
     done = CliRunner().invoke(app, ["audit", str(AUDITED), "--report", str(folder / "audit.html")])

@@ -18,7 +18,7 @@ from threading import Lock, Thread
 from typing import Any, Literal
 
 from corollary.cli.ending import unforeseen
-from corollary.cli.variants_shown import variants_shown
+from corollary.cli.variant_sheets import rendered_variants
 from corollary.derive.load import NotDerivable, load
 from corollary.grading.replay import forget_scenes
 from corollary.messages import language, spoken
@@ -82,10 +82,16 @@ def lay_out(folder: Path, draft: Draft) -> tuple[Bank, Path]:
     problem = bank.problems / within
     _beside(home.problems, bank.problems, within)
     _beside(home.scenes.parent, bank.scenes.parent, within)
-    problem.write_text(_text(draft, "problem", draft.path), encoding="utf-8")
+    _write(problem, _text(draft, "problem", draft.path))
     if solution.suffix == ".md" and solution.is_file():
-        bank.solution_beside(problem).write_text(_text(draft, "solution", solution), encoding="utf-8")
+        _write(bank.scenes.parent / within, _text(draft, "solution", solution))
     return bank, problem
+
+
+def _write(path: Path, text: str) -> None:
+    """Write a new file; one that is there, perhaps a link into the bank, is never written to."""
+    with path.open("x", encoding="utf-8") as file:
+        file.write(text)
 
 
 def _text(draft: Draft, side: Side, path: Path) -> str:
@@ -126,9 +132,9 @@ def found_in(folder: Path, draft: Draft) -> Iterator[tuple[str, Any]]:
         )
         yield "ok", False
         return
-    taken = _taken(draft, problem)
-    if taken:
-        yield "complaints", taken
+    doubles = _double_code(draft, problem)
+    if doubles:
+        yield "complaints", doubles
     if bank.has_programs and not draft.programs:
         yield (
             "complaints",
@@ -141,42 +147,42 @@ def found_in(folder: Path, draft: Draft) -> Iterator[tuple[str, Any]]:
         try:
             load(bank, problem)
         except NotDerivable as error:
-            yield "complaints", [*taken, placed(str(error), *files)]
-    shown = False
+            yield "complaints", [*doubles, placed(str(error), *files)]
+    rendered = False
     with unstarted() as runner:
         whole = Verification(bank, problem, runner=runner)
         for stage in whole.stages():
-            yield from _so_far(whole, files, taken)
+            yield from _so_far(whole, files, doubles)
             if stage == SLOW[0]:
                 yield "stage", "variants shown"
                 yield "html", _html(bank, path)
-                shown = True
+                rendered = True
             yield "stage", stage
-        yield from _so_far(whole, files, taken)
+        yield from _so_far(whole, files, doubles)
     tally = whole.tally
     asked = [] if tally.complaints else list(filter(None, [unexpected(problem)]))
     yield "notes", [placed(each, *files) for each in (*tally.notes, *asked)]
-    if not shown:
+    if not rendered:
         yield "html", _html(bank, path)
     yield "summary", "\n".join(tally.mutation.lines) if tally.mutation is not None else ""
-    yield "ok", not tally.complaints and not taken
+    yield "ok", not tally.complaints and not doubles
 
 
 def _html(bank: Bank, path: Path) -> str:
     try:
-        return variants_shown(bank, path)
+        return rendered_variants(bank, path)
     except Exception:  # an author's program may raise anything: `verify` names it
         return ""
 
 
 def _so_far(
-    whole: Verification, files: tuple[Path, Path], taken: list[PlacedComplaint]
+    whole: Verification, files: tuple[Path, Path], doubles: list[PlacedComplaint]
 ) -> Iterator[tuple[str, Any]]:
-    yield "complaints", [*taken, *(placed(each, *files) for each in dict.fromkeys(whole.tally.complaints))]
+    yield "complaints", [*doubles, *(placed(each, *files) for each in dict.fromkeys(whole.tally.complaints))]
     yield "checks", sum(whole.tally.counts.values())
 
 
-def _taken(draft: Draft, problem: Problem) -> list[PlacedComplaint]:
+def _double_code(draft: Draft, problem: Problem) -> list[PlacedComplaint]:
     """A complaint where another file of the bank has the draft's code."""
     place = open_bank(Path(draft.place))
     others = (path for path, code in codes(place).items() if code.lower() == problem.code.lower())

@@ -23,7 +23,7 @@ from corollary.verify.drawn import Draw, drawn, keyed_parts
 DRAWS = 20
 
 
-def variants_shown(place: Bank, path: Path) -> str:
+def rendered_variants(place: Bank, path: Path) -> str:
     """A piece of HTML: twenty variants of the problem as the files are now, or what it asks where it is not solved.
 
     Empty where not even that can be read. `verify` names what is wrong.
@@ -35,11 +35,9 @@ def variants_shown(place: Bank, path: Path) -> str:
         return ""
     draws, redrawn, advice = [Draw(chapter(problem), None, "")], 0, ""
     solutions = Solutions(place)
-    try:
+    with suppress(NotDerivable):  # then at least what the problem asks is shown
         found = drawn(solutions.of(problem), DRAWS)
         draws, redrawn, advice = found.draws, found.redrawn, found.advice
-    except NotDerivable:  # then at least what the problem asks is shown
-        pass
     heading = f"{problem.code} {problem.title}"
     return variants_piece(heading, [_sheet(solutions, each) for each in draws], redrawn, advice)
 
