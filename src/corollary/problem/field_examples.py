@@ -10,6 +10,7 @@ FIELDS: Mapping[str, str] = {
     "source": "source: Exercise 12.4",
     "given": "given:",
     "constants": "constants: [g_n]",
+    "rows": "rows: [{body: a hoop, k: 1}, {body: a ball, k: 0.4}]",
     "require": "require: m > 0",
     "where": "where: abs(v - w) > v/5",
     "figure": "figure: |",
