@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from itertools import permutations
 from typing import TypeVar
 
 from corollary.answers.answer import Answer, Formulas, Numbers
-from corollary.answers.expected import Quantity, Values
+from corollary.answers.expected import FollowThrough, Quantity, Values
 from corollary.answers.judge_formulas import judge_formulas
 from corollary.answers.judge_numbers import judge_numbers
 from corollary.answers.question import Question
@@ -23,13 +23,31 @@ def judge_in_any_order(answer: Answer, wanted: Quantity, question: Question) -> 
     """The verdict on as many numbers, or formulas, as there are components, whatever their order."""
     match answer:
         case Numbers():
-            return judge_numbers(rising(answer), _rising(wanted), question)
+            return judge_numbers(rising(answer), _rising(of_length(wanted, len(answer.values))), question)
         case Formulas(trees):
             orders = permutations(trees) if len(trees) <= MOST_FORMULAS else [trees]
             found = [judge_formulas(replace(answer, trees=order), wanted, question) for order in orders]
             return next((each for each in found if isinstance(each, Right)), found[0])
         case _:
             raise TypeError(f"numbers or formulas have an order, {type(answer).__name__} has none")
+
+
+def of_length(wanted: Quantity, count: int) -> Quantity:
+    """The same with only those ways, and mistakes on them, that lead to so many values."""
+
+    def same(
+        found: Callable[[], Iterable[tuple[Values, str]]] | None,
+    ) -> Callable[[], Iterable[tuple[Values, str]]]:
+        return lambda: [each for each in (found() if found else ()) if len(each[0]) == count]
+
+    def ways(found: Callable[[], Iterable[FollowThrough]]) -> Callable[[], Iterable[FollowThrough]]:
+        return lambda: [
+            replace(way, misconceptions=same(way.misconceptions), slips=same(way.slips))
+            for way in found()
+            if len(way.values) == count
+        ]
+
+    return replace(wanted, routes=ways(wanted.routes), follow_through=ways(wanted.follow_through))
 
 
 def rising(answer: Numbers) -> Numbers:

@@ -288,7 +288,7 @@ def _hint(answer: Numbers, wanted: Quantity, question: Question) -> str:
             return _("Neither the sign nor the size fits.")
         if abs(ratio - 1) < LITTLE_OFF:
             return _of_little_off(answer, wanted)
-    if len(answer.values) > 1:
+    if len(answer.values) > 1 and question.components:
         off = wanted.tolerance * wanted.scale
         triples = zip(question.components, answer.values, wanted.values, strict=True)
         right = [name for name, x, target in triples if abs(x - target) <= off]

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from copy import copy
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import lru_cache, reduce
 from typing import Any, cast
 
@@ -15,6 +16,7 @@ from sympy.core.function import AppliedUndef
 
 from corollary.derive.given_signs import symbol_of
 from corollary.derive.solution import ClosedForms, SolvedFunction, SupposedValue
+from corollary.derive.statements import Each
 from corollary.formula.ast import Expr, Number, Relation, names
 from corollary.formula.ast import substitute as put_in
 from corollary.formula.authored import as_expression
@@ -87,6 +89,7 @@ def _turned(product: Any) -> Any:
 DIGITS, BITS = 30, 128
 ENOUGH = 100  # bits: 30 digits; a ball that knows fewer is left to sympy, which adds precision until it knows
 POINTS = 6  # the chapter's numbers and five more: a condition that holds at all is taken to tell roots apart everywhere
+NEARLY_WHOLE = 1e-9  # of the end of a range
 MANY = 200  # draws, to find points in a case that holds for few
 Root = Mapping[sympy.Symbol, sympy.Expr]
 
@@ -202,6 +205,38 @@ class Known:
         found._points = [
             replace(each, values=dict(each.values), balls=dict(each.balls)) for each in self._points
         ]
+        return found
+
+    def numbered(self, each: Each) -> Known:
+        """The same with the letter of a range, which is the first, the last and a middle number at the points. Raises ValueError."""
+        found = self.copied()
+        found.formulas[each.letter] = each.letter
+        found.dimensions[each.letter.name] = Dimension()
+        points: list[Point] = []
+        for one in self.points:
+            low, high = (at(end, one) for end in (each.low, each.high))
+            if not all(
+                end.is_number and end.is_real and abs(end - round(end)) < NEARLY_WHOLE for end in (low, high)
+            ):
+                raise ValueError(
+                    f"{each.letter} goes from {each.low} to {each.high}; both ends are whole numbers, such as floor({each.high})"
+                )
+            first, last = (int(sympy.floor(end + sympy.Rational(1, 2))) for end in (low, high))
+            for number in sorted({first, (first + last) // 2, last} if first <= last else ()):
+                whole = sympy.Integer(number)
+                points.append(
+                    replace(
+                        one,
+                        values={**one.values, each.letter: whole},
+                        balls={**one.balls, each.letter.name: RationalPi(Fraction(number))},
+                        written={**one.written, each.letter.name: str(number)},
+                    )
+                )
+        if not points:
+            raise ValueError(
+                f"there is no {each.letter} from {each.low} to {each.high} for any of the numbers tried"
+            )
+        found._points = points
         return found
 
     @property

@@ -14,6 +14,7 @@ from typing import Any
 
 from corollary import plug_ins, user_cache
 from corollary.derive.load import load, source
+from corollary.derive.numbered_list import listed
 from corollary.derive.parts import unsolved
 from corollary.derive.serialize import NotSerializable, from_data, to_data
 from corollary.derive.solution import Regime, Solution
@@ -75,13 +76,17 @@ def _recalled(text: bytes | None, bank: Bank, problem: Problem) -> Solution | No
             Regime(text, conditions, line, Solution(problem=problem, **found, entries=entries), place)
             for text, conditions, line, found, place in content.pop("regimes")
         )
-        return Solution(problem=problem, **content, regimes=regimes, entries=entries)
+        found = Solution(problem=problem, **content, regimes=regimes, entries=entries)
+        return listed(found) if any(find.numbering for find in found.unknowns) else found
     return None
 
 
 def _text(solution: Solution) -> bytes:
+    solution = solution.template or solution
     content: dict[str, Any] = {
-        each.name: getattr(solution, each.name) for each in fields(solution) if each.name != "problem"
+        each.name: getattr(solution, each.name)
+        for each in fields(solution)
+        if each.name not in ("problem", "template")
     }
     shared = content.keys() - HELD
     content["regimes"] = [

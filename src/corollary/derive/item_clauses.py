@@ -10,7 +10,7 @@ from corollary.messages import did_you_mean
 
 QUOTED = re.compile(r"`([^`]*)`")
 CLAIMS = ("at", "limit", "always", "confirm", "printed")
-STEP = ("law", "also", "where", "reject", "mistake", "route", "check", "scale", "letter")
+STEP = ("each", "law", "also", "where", "reject", "mistake", "route", "check", "scale", "letter")
 ALLOWED: Mapping[str, tuple[str, ...]] = {
     "step": STEP,
     "optimum": ("optimum", "mistake", "check", "letter"),
@@ -29,7 +29,7 @@ ALLOWED: Mapping[str, tuple[str, ...]] = {
 OF_A_LAW = ("with", "holds", "source")
 BELOW: Mapping[str, tuple[str, ...]] = {
     **dict.fromkeys(("law", "proof", "given", "along"), OF_A_LAW),
-    "mistake": ("law", "where", "with", "instead of"),
+    "mistake": ("each", "law", "where", "with", "instead of"),
     "route": ("law",),
     "confirm": ("law",),
     "printed": ("erratum",),

@@ -73,6 +73,15 @@ def _unfit(problem: Problem, entry: Entry, name: str) -> Iterator[str]:
         yield f"part {name} is .{part.answer_type}; only of a number can be said what is neglected in it"
     elif not isinstance(entry, Printed | Neglected) and words_of_kind(entry) not in wanted:
         yield f"part {name} is .{' .'.join(part.answer_types)}; answer it with {' and '.join(f'{word}(…)' for word in wanted)}"
+    elif (
+        part.answer_type == "list"
+        and not part.components
+        and not (isinstance(entry, Printed | Neglected) or (isinstance(entry, Step) and entry.each))
+    ):
+        yield (
+            f'part {name} is a .list; name what it holds, components="first second", or state in its step for which whole numbers '
+            "there is an entry: each: `m` from `1` to `floor(d/lam)`"
+        )
     elif isinstance(entry, Step | Optimum | Simulated | Example) and len(entry.unknowns) != (
         len(part.components) or 1
     ):

@@ -177,14 +177,22 @@ def _put_back(solver: Solver) -> Iterator[PutBack]:
         if isinstance(step, Step):
             for law in (*step.laws, *(law for route in step.routes for law in route.laws)):
                 for one, other in sides(law):
-                    simulated = (one - other).free_symbols & solver.known.measured
+                    known = solver.known if step.each is None else with_entry(solver, step)
+                    simulated = (one - other).free_symbols & known.measured
                     usual = PutBack(line, "simulated")
-                    found = usual if simulated else _one_put_back(one, other, law, solver, line)
+                    found = usual if simulated else _one_put_back(one, other, law, solver, line, known)
                     yield replace(found, names=tuple(symbol.name for symbol in step.unknowns))
 
 
-def _one_put_back(one: sympy.Expr, other: sympy.Expr, law: Law, solver: Solver, line: int) -> PutBack:
-    found = _equality(one, other, law, solver.known)
+def with_entry(solver: Solver, step: Step) -> Known:
+    """What is known of a list: the entry of each number at the points, in the letter of the range."""
+    return solver.known_in_list[step.statement.line]
+
+
+def _one_put_back(
+    one: sympy.Expr, other: sympy.Expr, law: Law, solver: Solver, line: int, known: Known
+) -> PutBack:
+    found = _equality(one, other, law, known)
     if found.holds:
         return PutBack(line, found.how)
     fault = f"{law.name} does not hold for the answers: {one} = {other}; {found.at_numbers()}"

@@ -34,10 +34,27 @@ R = TypeVar("R")
 
 
 @dataclass(frozen=True, slots=True)
+class Numbering:
+    """The whole numbers from `low` to `high` by their letter; these are formulas of givens and earlier unknowns, `ends` the same in
+    givens alone (None: simulated)."""
+
+    letter: str
+    low: Expr
+    high: Expr
+    ends: tuple[Expr, Expr] | None
+
+
+@dataclass(frozen=True, slots=True)
 class ClosedForms:
-    """Unknowns as formulas, one for each component, of givens and earlier unknowns."""
+    """Unknowns as formulas, one for each component, of givens and earlier unknowns.
+
+    Of a list with an entry for each whole number of a range, `form` has the letter of its `numbering` in it, and `trees` are the
+    entries for the numbers at hand; for others the list may be longer or shorter.
+    """
 
     trees: tuple[Expr, ...]
+    form: Expr | None = None
+    numbering: Numbering | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +127,8 @@ class Unknown:
     `in_givens` computes it from givens alone (None: simulated); `rejected` says why each other root is not meant; `note` how an
     extremum was found. `where` are the conditions on the root that is meant (None: not relations), `others` the roots that are
     not, `aside` what the laws needed besides, in givens. `printed` and `printed_in_givens` are the formulas as a worked solution prints
-    them (empty: not chosen).
+    them (empty: not chosen). Of a list with an entry for each whole number of a range, `numbering` is
+    that range, and `entries` are its entries for the numbers at hand (none: its formulas have the range's letter in them).
     """
 
     statement: Statement
@@ -130,6 +148,8 @@ class Unknown:
     aside: Mapping[str, Expr] = field(default_factory=dict[str, Expr])
     printed: tuple[Expr, ...] = ()
     printed_in_givens: tuple[Expr, ...] | None = None
+    numbering: Numbering | None = None
+    entries: tuple[Unknown, ...] = ()
 
     @property
     def part(self) -> str:
@@ -193,7 +213,8 @@ class Solution:
 
     `paths` are the ways to each part from the student's own answers to those asked before it. Where there are `regimes`, it is
     the first of them; `case` is the text of the one it is, and `conditions` are those under which it holds. `meanings` say what
-    letters stand for, where the author does.
+    letters stand for, where the author does. Where a list has a length that depends on the numbers, `template` has its formulas in
+    the letter of its range, and there is a regime for each length that was met.
     """
 
     problem: Problem
@@ -210,6 +231,7 @@ class Solution:
     always: tuple[ClaimedCondition, ...] = ()
     meanings: Mapping[str, str] = field(default_factory=dict[str, str])
     conditions: tuple[Relation, ...] = ()
+    template: Solution | None = None
 
     @cached_property
     def results(self) -> dict[Hashable, Any]:
@@ -221,7 +243,7 @@ class Solution:
         return [each for each in self.regimes if all(holds(one, givens) for one in each.conditions)]
 
     def at(self, givens: Mapping[str, RationalPi]) -> Solution:
-        """What is true for these numbers. Raises Undefined when it is not exactly one of the regimes that holds."""
+        """What is true for these numbers in their case. Raises Undefined when it is not exactly one of the regimes that holds."""
         if not self.regimes:
             return self
         found = self.regimes_at(givens)

@@ -40,6 +40,7 @@ from corollary.derive.item_clauses import (
     refuse_others,
 )
 from corollary.derive.markdown_items import ListItem, MarkdownError, Section, sections
+from corollary.derive.numbered_items import mistake_in_list, numbers_letter, numbers_of
 from corollary.derive.stated_words import function, unknowns, variable
 from corollary.derive.statements import (
     Acting,
@@ -47,6 +48,7 @@ from corollary.derive.statements import (
     Choice,
     Code,
     Confirm,
+    Each,
     Example,
     Exchange,
     Explain,
@@ -221,6 +223,9 @@ class SolutionReader:
                 if item.key == "letter":
                     named, words = formula_and_words(item)
                     self._vector([each.strip() for each in parted(named)], words)
+                elif item.key == "each":
+                    letter, symbol = numbers_letter(item, self.table)
+                    self._know(letter, symbol)
                 elif item.key == "also":
                     beside = [each.strip() for each in parted(formula_of(item))]
                     self._vector([each for each in beside if each not in self.table.meanings])
@@ -331,6 +336,7 @@ class SolutionReader:
                     called = tuple(self.table.law("", each) for each in clauses["law"])
                     routes.append(Route(because, called + self._laws(item.items), item.line))
         where = self._where(section)
+        each = numbers_of(section, self.table)
         return Step(
             statement,
             names,
@@ -338,14 +344,22 @@ class SolutionReader:
             also,
             where,
             tuple(rejected),
-            self._mistakes(section, laws),
+            self._mistakes(section, laws, each),
             tuple(routes),
             scale,
+            each,
         )
 
-    def _mistakes(self, section: Section, laws: Sequence[Law] = ()) -> tuple[Mistake[Exchange], ...]:
+    def _mistakes(
+        self, section: Section, laws: Sequence[Law] = (), each: Each | None = None
+    ) -> tuple[Mistake[Exchange], ...]:
         names = {law.name for law in laws}
-        return tuple(self._mistake(item, names) for item in section.items if item.key == "mistake")
+        every = [item for item in section.items if item.key == "mistake"]
+        if each is None:
+            return tuple(self._mistake(item, names) for item in every)
+        return tuple(
+            mistake_in_list(item, each, self.table, lambda rest: self._mistake(rest, names)) for item in every
+        )
 
     def _mistake(self, item: ListItem, names: Collection[str] = ()) -> Mistake[Exchange]:
         """`names` are those of the step's laws: a law of that name takes its place."""

@@ -23,6 +23,7 @@ from corollary.derive.assumptions import FoundFunction, Known, Root, at, forms, 
 from corollary.derive.derivation import Always, Branch, Case, Entry, clauses, relations, ways
 from corollary.derive.forces import solved_forces
 from corollary.derive.load import Loaded, NotDerivable, load
+from corollary.derive.numbered_list import listed
 from corollary.derive.optimum import best
 from corollary.derive.parts import dimensions_asked, misfits, unsolved
 from corollary.derive.paths import with_paths
@@ -30,6 +31,8 @@ from corollary.derive.presentation import with_presentation
 from corollary.derive.roots import NoRoot, Picked, exchanged, pick, roots
 from corollary.derive.solution import (
     ClaimedCondition,
+    ClosedForms,
+    Numbering,
     OtherRoot,
     Regime,
     Rule,
@@ -47,6 +50,7 @@ from corollary.derive.solution import (
 )
 from corollary.derive.statements import (
     Choice,
+    Each,
     Example,
     Exchange,
     Finding,
@@ -62,6 +66,7 @@ from corollary.derive.statements import (
 )
 from corollary.formula.ast import ONE, Expr, Name, Relation
 from corollary.formula.authored import NotTyped, as_expression
+from corollary.formula.errors import Undefined
 from corollary.formula.from_sympy import NoTree, tree
 from corollary.laws.law import Law, sides, substitute
 from corollary.problem.bank import Bank, bank_of
@@ -208,15 +213,39 @@ def solved_derivation(bank: Bank, problem: Problem) -> SolvedDerivation:
 
 
 def _of_all_cases(found: Sequence[Solver]) -> Solution:
-    solved = [(solver, with_paths(solver.solution())) for solver in found]
+    solved = [(solver, _with_paths(solver.solution())) for solver in found]
     if len(solved) == 1:
-        return solved[0][1]
+        solver, only = solved[0]
+        return _listed(only, solver) if any(find.numbering for find in only.unknowns) else only
+    for solver, each in solved:
+        if list_step := next((find for find in each.unknowns if find.numbering), None):
+            raise solver.failing(
+                "a list with an entry for each whole number cannot stand in a problem with cases",
+                list_step.statement.line,
+            )
     regimes = tuple(
         Regime(found.case, way, solver.line, replace(found, conditions=way), place)
         for place, (solver, found) in enumerate(solved)
         for way in solver.ways
     )
     return replace(regimes[0].solution, regimes=regimes)
+
+
+def _with_paths(solution: Solution) -> Solution:
+    """The ways to parts from others; to and from a list of numbered entries there are none."""
+    numbered = {find.part for find in solution.unknowns if find.numbering}
+    if not numbered:
+        return with_paths(solution)
+    others = tuple(find for find in solution.unknowns if not find.numbering)
+    return replace(solution, paths=with_paths(replace(solution, unknowns=others)).paths)
+
+
+def _listed(template: Solution, solver: Solver) -> Solution:
+    try:
+        return listed(template)
+    except Undefined as error:
+        line = next(find.statement.line for find in template.unknowns if find.numbering)
+        raise solver.failing(str(error), line) from error
 
 
 def solvers(problem: Problem, loaded: Loaded) -> list[Solver]:
@@ -233,6 +262,7 @@ class Solver:
 
     def __init__(self, problem: Problem, loaded: Loaded):
         self.problem, self.loaded, self.known = problem, loaded, Known(problem)
+        self.known_in_list: dict[int, Known] = {}  # by the line of the step
         self.case, self.line = "", 0
         self.ways: tuple[tuple[Relation, ...], ...] = ()
 
@@ -334,7 +364,49 @@ class Solver:
         self.known.dimensions |= dict(zip(found.names, found.dimensions, strict=True))
         return found
 
+    def numbered_step(self, entry: Step, each: Each) -> Unknown:
+        """A list with an entry for each whole number: its formulas have the letter of the range in them."""
+        if len(entry.unknowns) > 1 or entry.also:
+            raise NoRoot(
+                "a list with an entry for each whole number finds one letter, and needs no other unknowns"
+            )
+        part = self.problem.part(entry.statement.part) if entry.statement.part else None
+        if part is None or part.answer_type != "list" or part.components:
+            raise NoRoot("only a .list part without components has an entry for each whole number")
+        outer = self.known
+        self.known = self.known_in_list[entry.statement.line] = outer.numbered(each)
+        try:
+            found = self.step(replace(entry, each=None))
+            if found.in_givens is None:
+                raise NoRoot(
+                    "a list with an entry for each whole number is found by formulas, not by a simulation"
+                )
+        finally:
+            self.known = outer
+        mistakes = tuple(
+            Mistake(
+                wrong.text,
+                ClosedForms(wrong.rule.trees, wrong.rule.trees[0], self.numbering(stated.rule.each)),
+                wrong.line,
+            )
+            if stated.rule.each is not None and isinstance(wrong.rule, ClosedForms)
+            else wrong
+            for wrong, stated in zip(found.mistakes, entry.mistakes, strict=True)
+        )
+        return replace(found, numbering=self.numbering(each), mistakes=mistakes)
+
+    def numbering(self, each: Each) -> Numbering:
+        low, high = (tree(as_expression(end)) for end in (each.low, each.high))
+        return Numbering(
+            each.letter.name,
+            low,
+            high,
+            (self.known.tree_in_givens(each.low), self.known.tree_in_givens(each.high)),
+        )
+
     def step(self, entry: Step) -> Unknown:
+        if entry.each is not None:
+            return self.numbered_step(entry, entry.each)
         known = self.known
         found, functions = self.roots_and_functions(entry, entry.laws)
         picked = pick(found, known.points, entry.where, entry.rejected)
@@ -447,7 +519,13 @@ class Solver:
     def wrong_root(self, entry: Finding, mistake: Mistake[Exchange], where: Boolean | bool) -> Root:
         """What is found by a mistake; `where` chooses only among several roots, for a mistake need not respect it."""
         try:
-            laws = exchanged(entry.laws, mistake) if isinstance(entry, Step) else mistake.rule.laws
+            only_range = isinstance(entry, Step) and mistake.rule.each is not None and not mistake.rule.laws
+            laws = (
+                exchanged(entry.laws, mistake)
+                if isinstance(entry, Step) and not only_range
+                else mistake.rule.laws
+            )
+            laws = entry.laws if isinstance(entry, Step) and only_range else laws
             found = self.roots(entry, laws)
             where = where if mistake.rule.where is None else mistake.rule.where
             return found[0] if len(found) == 1 else pick(found, self.known.points, where, ()).root

@@ -86,12 +86,23 @@ class Doubt:
 
 
 @dataclass(frozen=True, slots=True)
+class Each:
+    """Each whole number from `low` to `high`, by its letter."""
+
+    letter: sympy.Symbol
+    low: sympy.Expr
+    high: sympy.Expr
+
+
+@dataclass(frozen=True, slots=True)
 class Exchange:
-    """`laws` take the place of those named `instead`, or of the only one; `where` says which root is meant (None: as in the step)."""
+    """`laws` take the place of those named `instead`, or of the only one; `where` says which root is meant (None: as in the step), and
+    `each` for which whole numbers there is one (None: those of the step). Without laws only these are mistaken."""
 
     laws: tuple[Law, ...]
     instead: tuple[str, ...]
     where: Boolean | bool | None = None
+    each: Each | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,7 +144,8 @@ class Rejected:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """Unknowns found because of laws. `also` are unknowns that the laws need and nobody asks for."""
+    """Unknowns found because of laws. `also` are unknowns that the laws need and nobody asks for; with `each` there is an unknown for
+    each whole number of a range."""
 
     statement: Statement
     unknowns: tuple[sympy.Symbol, ...]
@@ -144,6 +156,7 @@ class Step:
     mistakes: tuple[Mistake[Exchange], ...]
     routes: tuple[Route[Law], ...]
     scale: sympy.Expr | None
+    each: Each | None = None
 
 
 @dataclass(frozen=True, slots=True)

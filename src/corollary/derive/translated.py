@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+from corollary.derive.numbered_list import listed
 from corollary.derive.solution import AppliedLaw, Solution, SolvedNeglected, SolvedRoute, Unknown, Unsolved
 from corollary.derive.statements import Explain, Mistake, Statement
 
@@ -13,6 +14,8 @@ Say = Callable[[str], str]
 
 def translated(solution: Solution, say: Say) -> Solution:
     """`say` gets every text that a student may read, but for the empty ones, and gives what stands there instead."""
+    if solution.template is not None:
+        return listed(translated(solution.template, say))
     return replace(
         solution,
         unknowns=tuple(_unknown(find, say) for find in solution.unknowns),

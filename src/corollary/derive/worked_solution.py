@@ -21,6 +21,7 @@ from corollary.derive.numbers_in_formulas import broken, given_numbers, quantity
 from corollary.derive.solution import (
     AppliedLaw,
     ClosedForms,
+    Numbering,
     Rule,
     SceneOutcome,
     Solution,
@@ -235,6 +236,8 @@ def _unknown(
     lines = [find.statement.because, ""]
     for law in find.laws:
         lines += [_law(law), ""]
+    if find.numbering:
+        lines += [_numbers_of_entries(find.numbering, len(find.entries)), ""]
     for function in find.functions:
         lines += [*_function(function), ""]
     if find.note:
@@ -262,6 +265,17 @@ def _from_the_same_laws(
     if find.statement.check:
         lines += ["", _("*Check:* {check}", check=find.statement.check)]
     return lines
+
+
+def _numbers_of_entries(numbering: Numbering, count: int) -> str:
+    """Which whole numbers the entries of a list belong to."""
+    return _(
+        "One for each whole ${letter}$ from ${low}$ to ${high}$: {count} in all.",
+        letter=letter(numbering.letter),
+        low=latex(numbering.low),
+        high=latex(numbering.high),
+        count=count,
+    )
 
 
 def _function(function: SolvedFunction) -> list[str]:
@@ -342,7 +356,8 @@ def _result(
 ) -> list[str]:
     lines: list[str] = []
     for place, (name, value, unit) in enumerate(zip(find.names, numbers, _units(find, part), strict=True)):
-        answer = quantity(value, unit)
+        exact = part is not None and part.answer_type in ("count", "integer")
+        answer = whole_quantity(value, unit) if exact else quantity(value, unit)
         match find.local:
             case ClosedForms(trees):
                 local = _printed(find.printed, trees, place, value, si)
@@ -381,6 +396,12 @@ def _printed(
             ):
                 return forms[place]
     return trees[place]
+
+
+def whole_quantity(value: float, unit: Unit) -> str:
+    """A whole number with its unit."""
+    symbol = unit_latex(unit)
+    return f"{round(unit.from_si(value))}" + (rf"\,{symbol}" if symbol else "")
 
 
 def _units(find: Unknown, part: Part | None) -> Sequence[Unit]:

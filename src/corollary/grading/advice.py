@@ -145,7 +145,7 @@ def _changes_with(key: Key, trees: Sequence[Expr], given: Given) -> bool:
             found = [certified(tree, moved).value for tree in trees]
         except Undefined:
             continue
-        if math.dist(found, values) > SAME * math.hypot(*values, *found):
+        if len(found) != len(values) or math.dist(found, values) > SAME * math.hypot(*values, *found):
             return True
     return False
 

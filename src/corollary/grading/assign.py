@@ -82,6 +82,8 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
         same = next(options_alike(variant), None)
     except Undefined as error:
         return None, f"an answer does not exist: {error}"
+    for part, argument in near_steps(key):
+        return None, f"part {part}: {argument} is too near a step: rounding would decide the whole number"
     for part, truth in key.truths.items():
         most = max(MOST_TOLERANCE, variant.problem.part(part).tolerance)
         if truth.noise > most:
@@ -96,8 +98,6 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
         return None, f"part {part}: options {one} and {other} print alike"
     for part, number in not_whole(key):
         return None, f"part {part}: {number} is not a whole number, and one is asked for"
-    for part, argument in near_steps(key):
-        return None, f"part {part}: {argument} is too near a step: rounding would decide the whole number"
     for part, number in implausible(key):
         return None, f"part {part}: {number} is not plausible"
     for part, text in collisions(key):

@@ -185,6 +185,7 @@ def _moved(
                 )
                 with suppress(Undefined):
                     found.append(work({**own, part: moved}))
+            found = [each for each in found if len(each) == len(values)]
             yield max(found, key=lambda each: math.dist(each, values))
 
 

@@ -10,6 +10,7 @@ from fractions import Fraction
 from corollary.answers.evaluation import BITS, as_exact, finite_double, number
 from corollary.answers.expected import Values
 from corollary.answers.tolerance import ROUNDING_NOISE, within
+from corollary.derive.numbered_list import solution_for
 from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown, Ways, once
 from corollary.formula.arithmetics import exactly
 from corollary.formula.ast import (
@@ -257,7 +258,7 @@ class Key:
 def make_key(solution: Solution, variant: Variant) -> Key:
     """The key of one variant. Raises Undefined when an answer does not exist for these numbers."""
     givens = variant.exact
-    solution = solution.at(givens)
+    solution = solution_for(solution, givens)
     stated: list[Answered] = []
     for find, found in zip(solution.unknowns, answers(solution, variant), strict=True):
         if found.why:
@@ -322,12 +323,13 @@ def _zeros_counts_and_signs(
     known: Mapping[str, RationalPi],
 ) -> Truth:
     """The truth with what stands for its zeros, with no tolerance where it is a whole number, and with what has a sign."""
+    units = part.units_for(len(stated.values))
     zeros = [
         abs(value - float(unit.offset)) <= error
-        for value, unit, error in zip(stated.values, part.units, stated.errors, strict=True)
+        for value, unit, error in zip(stated.values, units, stated.errors, strict=True)
     ]
     if any(zeros):
-        residue = residue_of(solution.problem, find, part.units, known)
+        residue = residue_of(solution.problem, find, units, known)
         residue = tuple(each if zero else 0.0 for each, zero in zip(residue, zeros, strict=True))
         truth = replace(truth, residue=residue if truth.scales or all(zeros) else ())
     if not part.tolerance and is_counted(solution, truth.place, part, known):

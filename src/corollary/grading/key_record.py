@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 from corollary.answers.evaluation import BITS
 from corollary.answers.option_names import option_named
 from corollary.answers.registry import answer_type
+from corollary.derive.numbered_list import solution_for
 from corollary.derive.solution import Solution, Unknown
 from corollary.derive.statements import Code, Explain, Plot
 from corollary.formula.arithmetics import exactly
@@ -36,7 +37,7 @@ def key_record(solution: Solution, variant: Variant) -> dict[str, Any]:
     """
     problem = variant.problem
     try:
-        solution = solution.at(variant.exact)
+        solution = solution_for(solution, variant.exact)
     except Undefined as why:
         parts = {part.id: {"why": f"no value for these numbers: {why}"} for part in problem.parts}
     else:
@@ -160,4 +161,8 @@ def si_name(part: Part) -> str:
 
 def _one(values: Sequence[T], show: Callable[[T], object], part: Part) -> object:
     """A list for what has components, else the one."""
-    return [show(value) for value in values] if part.components else show(values[0])
+    return (
+        [show(value) for value in values]
+        if part.components or part.answer_type == "list"
+        else show(values[0])
+    )

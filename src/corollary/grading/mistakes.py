@@ -66,7 +66,7 @@ class ListedMistake:
                 if here in (self.place, self.at) or here in ancestors(solution, self.at):
                     return None
                 continue
-            meaning |= zip(find.names, trees, strict=True)
+            meaning |= zip(find.names, trees, strict=find.numbering is None)
         return trees
 
 
@@ -120,13 +120,18 @@ def slips_of_input(key: Key, truth: Truth, base: WhatIf) -> Iterator[tuple[Value
             yield from _replayed(key, truth, base, {**givens, given.symbol: bare}, _unconverted(given))
     if any(_is_angle(variant, given.symbol) for given in variant.problem.givens):
         swapped: dict[int, Rule] = {
-            place: ClosedForms(tuple(mapped(tree, cofunction) for tree in find.local.trees))
+            place: _with_cofunctions(find.local)
             for place, find in enumerate(key.solution.unknowns)
             if isinstance(find.local, ClosedForms)
         }
         what_if = WhatIf(base.held, swapped | dict(base.rules))
         sentence = _("Sine and cosine are interchanged: check from where the angle is measured.")
         yield from _replayed(key, truth, what_if, givens, sentence)
+
+
+def _with_cofunctions(rule: ClosedForms) -> ClosedForms:
+    form = None if rule.form is None else mapped(rule.form, cofunction)
+    return replace(rule, trees=tuple(mapped(tree, cofunction) for tree in rule.trees), form=form)
 
 
 def _replayed(

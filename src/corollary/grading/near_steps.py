@@ -24,7 +24,8 @@ def near_steps(key: Key) -> Iterator[tuple[str, str]]:
     known = key.variant.exact | named(key.solution, key.values)
     for find in key.solution.unknowns:
         trees = find.in_givens if find.in_givens is not None else getattr(find.local, "trees", ())
-        for call, value in steps_near(trees, known):
+        ends = find.numbering.ends if find.numbering and find.numbering.ends else ()
+        for call, value in steps_near((*trees, *ends), known):
             yield find.part or ", ".join(find.names), f"{text(call.arguments[0])} = {value:.6g}"
 
 

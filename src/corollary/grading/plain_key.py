@@ -36,7 +36,17 @@ def judged(part: Part) -> bool:
 
 
 JUDGED_BY: View = {
-    Unknown: {"statement", "names", "local", "in_givens", "routes", "mistakes", "dimensions", "scale"},
+    Unknown: {
+        "statement",
+        "names",
+        "local",
+        "in_givens",
+        "routes",
+        "mistakes",
+        "dimensions",
+        "scale",
+        "numbering",
+    },
     Statement: {"part"},
     SolvedRoute: {"stated", "rule"},
     Route: set(),

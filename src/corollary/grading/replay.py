@@ -8,10 +8,11 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 
-from corollary.answers.evaluation import BITS, Letters, ball_of, balls, number, numbers
+from corollary.answers.evaluation import BITS, Letters, ball_of, balls, number
 from corollary.answers.expected import Values
 from corollary.answers.tolerance import ROUNDING_NOISE
-from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown, once
+from corollary.derive.numbered_list import rule_at, values_of_rule
+from corollary.derive.solution import ClosedForms, Numbering, Rule, SceneOutcome, Solution, Unknown, once
 from corollary.formula.ast import names
 from corollary.formula.ball import Ball, Undefined, precision_of
 from corollary.scenes.run import BadSetting, GuardFailed, Run, components
@@ -45,10 +46,10 @@ def replay(
             answer, rule = what_if.held.get(place), what_if.rules.get(place, find.local)
             if answer is None:
                 as_formula = isinstance(rule, ClosedForms)
-                answer = numbers(rule.trees, values) if as_formula else compute(rule, values)
+                answer = values_of_rule(rule, values) if as_formula else compute(rule, values)
                 if what_if.rounding is not None and as_formula:
                     answer = tuple(map(what_if.rounding, answer))
-            for name, value in zip(find.names, answer, strict=True):
+            for name, value in zip(find.names, answer, strict=find.numbering is None):
                 values[name] = ball_of(value)
             found.append(answer)
             if place == until:
@@ -86,14 +87,16 @@ def exchanged(
             if at == place or place in ancestors(solution, at):
                 find = solution.unknowns[at]
                 by = rule if at == place else find.local
-                answer = numbers(by.trees, values) if isinstance(by, ClosedForms) else compute(by, values)
-                values |= zip(find.names, map(ball_of, answer), strict=True)
+                answer = values_of_rule(by, values) if isinstance(by, ClosedForms) else compute(by, values)
+                values |= zip(find.names, map(ball_of, answer), strict=find.numbering is None)
     return answer
 
 
 def compute(rule: Rule, values: Letters) -> Values:
     """What a rule gives for these values. Raises Undefined."""
     match rule:
+        case ClosedForms(numbering=Numbering()):
+            return rule_at(rule, balls(values))
         case ClosedForms(trees):
             return tuple(number(tree, values) for tree in trees)
         case SceneOutcome(scene, settings, observe, runs, bank):

@@ -63,6 +63,8 @@ def noise_of(solution: Solution, givens: Mapping[str, RationalPi], values: Seque
         with suppress(Undefined):
             shifted = replay(solution, {**givens, "g": RationalPi(other)})
             for each, numbers, truth in zip(noise, shifted, values, strict=True):
+                if len(numbers) != len(truth):
+                    continue  # a list that has another length
                 off = math.dist(numbers, truth)
                 if isfinite(off):
                     each.distance += off

@@ -83,7 +83,7 @@ def _compared(part: Part, values: tuple[float, ...], own: Sequence[float]) -> It
         return
     for place, value in enumerate(values):
         # The order of a list says nothing; an entry of a table stands where it belongs.
-        piece = Compared((value,), (place,) if part.rows else tuple(range(len(part.components))))
+        piece = Compared((value,), (place,) if part.rows else tuple(range(len(part.components) or len(own))))
         if value and not piece.fits(own):
             yield piece
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from corollary.atomic import write_whole
 from corollary.derive.load import NotDerivable
+from corollary.derive.numbered_list import solution_for
 from corollary.derive.solution import Solution
 from corollary.figure.plots import Curve, lines
 from corollary.figure.svg import alone, on_paper
@@ -45,7 +46,7 @@ def answer_plots(solution: Solution) -> Iterator[AnswerPlot]:
     else:  # the printed numbers need not be among those that are drawn
         own = next(sample(solution.problem, 1), printed)
         which = f"as in {own.label}"
-    solution = solution.at(own.exact)
+    solution = solution_for(solution, own.exact)
     for find in solution.unknowns:
         if not find.part or find.in_givens is None or len(find.in_givens) != 1:
             continue

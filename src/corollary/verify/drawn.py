@@ -151,7 +151,7 @@ def _foreseen(key: Key, part: Part) -> Iterator[Foreseen]:
 def written_out(values: Values, part: Part) -> str:
     """Numbers in the part's unit as people read them."""
     if part.rows:
-        pairs = zip(values, part.units, strict=True)
+        pairs = zip(values, part.units_for(len(values)), strict=True)
         return "; ".join(written_out((value,), replace(part, rows=(), unit=unit)) for value, unit in pairs)
     unit = show(part.unit)
     return bare(values, part) + (f"\N{NO-BREAK SPACE}{unit}" if unit else "")

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from corollary.answers.evaluation import as_exact
+from corollary.derive.numbered_list import solution_for
 from corollary.derive.solution import SceneOutcome, Solution
 from corollary.formula.ast import names
 from corollary.formula.ball import Certified, RationalPi, Undefined, certified
@@ -50,7 +51,7 @@ def push(solution: Solution) -> Pushed:
     worst, where = 0.0, ""
     for label, givens in pushed(chapter(solution.problem)):
         try:
-            here = solution.at(givens)
+            here = solution_for(solution, givens)
         except Undefined as reason:
             refused[str(reason)] = refused.get(str(reason), 0) + 1
             continue

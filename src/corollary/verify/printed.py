@@ -102,12 +102,13 @@ def _differences(key: Key, part: Part, entry: Printed) -> Iterator[str]:
         return
     readings = [
         read_quantity(each.strip().removeprefix(ABOUT).strip(), unit)
-        for each, unit in zip(entry.text.split(";"), part.units, strict=False)
+        for each, unit in zip(entry.text.split(";"), part.units_for(entry.text.count(";") + 1), strict=False)
     ]
     if all(isinstance(each, ParseError) for each in readings):
         yield from _formula(key, part, entry)
         return
-    several = zip(key.truths[part.id].values, entry.text.split(";"), readings, part.units, strict=True)
+    values = key.truths[part.id].values
+    several = zip(values, entry.text.split(";"), readings, part.units_for(len(values)), strict=True)
     for value, printed, read, unit in several:
         if isinstance(read, ParseError):
             yield f"the printed value {printed!r} cannot be read: {read.why}"
@@ -119,7 +120,7 @@ def readings_of(part: Part, entry: Printed) -> list[tuple[str, Reading]]:
     """The quantities that are printed for a part, with their texts; none where that is a formula or a letter."""
     found = [
         (each.strip(), read_quantity(each.strip().removeprefix(ABOUT).strip(), unit))
-        for each, unit in zip(entry.text.split(";"), part.units, strict=False)
+        for each, unit in zip(entry.text.split(";"), part.units_for(entry.text.count(";") + 1), strict=False)
     ]
     return [(each, read) for each, read in found if not isinstance(read, ParseError)]
 

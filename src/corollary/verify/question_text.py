@@ -120,7 +120,7 @@ def _number_leaked(every: Sequence[QuestionText], part: Part, name: str) -> str:
     """
     numerals = [set(_numerals(one.texts[name])) for one in every]
     fixed = set[str].intersection(*numerals)
-    for place in range(len(every[0].key.truths[part.id].values)):
+    for place in range(min(len(one.key.truths[part.id].values) for one in every)):
         leaked = [
             found
             for one, its in zip(every, numerals, strict=True)

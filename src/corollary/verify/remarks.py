@@ -193,7 +193,9 @@ def _alike(key: Key) -> Iterator[tuple[int, str]]:
             except Undefined:
                 continue
             for text, other in met:
-                if math.dist(values, other) <= SAME * math.hypot(*values, *other):
+                if len(values) == len(other) and math.dist(values, other) <= SAME * math.hypot(
+                    *values, *other
+                ):
                     yield (
                         each.mistake.line,
                         f"this mistake gives the same value as {text!r}; students are told that",

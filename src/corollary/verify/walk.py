@@ -295,7 +295,7 @@ def own_answer(key: Key, part: str) -> Value:
     if answer_type(question.answer_type).in_symbols and in_givens is not None:
         texts = tuple(Text(text(tree)) for tree in in_givens)
         return texts[0] if len(texts) == 1 else Items(texts, (len(texts),))
-    pairs = zip(truth.values, question.units, strict=True)
+    pairs = zip(truth.values, question.units_for(len(truth.values)), strict=True)
     return machine_numbers(tuple(unit.from_si(value) for value, unit in pairs))
 
 

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from corollary.answers.answer import Answer, Formulas, Numbers
-from corollary.answers.expected import Expected, Quantity
+from corollary.answers.expected import Expected, Quantity, Values
 from corollary.answers.in_any_order import judge_in_any_order
 from corollary.answers.judge_formulas import judge_formulas
 from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth, to_be_typed
 from corollary.answers.table.judging import entry
-from corollary.answers.verdict import Right, Verdict, Wrong
+from corollary.answers.tolerance import within
+from corollary.answers.verdict import Follows, Mistaken, Right, Verdict, Wrong
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)
@@ -28,6 +30,8 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
         whole = judge_in_any_order(answer, wanted, expected.question)
         if not isinstance(whole, Wrong):
             return whole
+    elif isinstance(answer, Numbers) and (known := _known_length(answer, wanted)) is not None:
+        return known
     right = (
         _right(answer, wanted)
         if isinstance(answer, Numbers)
@@ -36,6 +40,28 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
     if whole is not None and not right:
         return whole
     return Wrong(_what_is_right(right, given, wanted), _entries(right, given, len(wanted.values)))
+
+
+def _known_length(answer: Numbers, wanted: Quantity) -> Verdict | None:
+    """The verdict on a list as long as a mistake, or an earlier answer, makes it; None where none does."""
+
+    def met(values: Values) -> bool:
+        scale = math.hypot(*values)
+        return len(values) == len(answer.values) and within(
+            sorted(answer.values), sorted(values), wanted.tolerance, scale
+        )
+
+    ways = list(wanted.follow_through())
+    for way in ways:
+        if way.earlier and met(way.values):
+            return Follows(way.earlier)
+    for way in ways:
+        for values, sentence in way.misconceptions() if way.misconceptions else ():
+            if met(values):
+                given, asked = len(answer.values), len(wanted.values)
+                entries = _entries(_right(answer, wanted), given, asked)
+                return Mistaken(sentence, way.earlier, not any(values), entries)
+    return None
 
 
 def _entries(right: int, given: int, asked: int) -> tuple[Verdict, ...]:

@@ -28,7 +28,7 @@ AND = re.compile(r"\s+(?:and|or|und|oder|og|eller)\s+", re.IGNORECASE)
 @final
 class ListType(AnswerType):
     name, word = "list", "list"
-    accepts = needs = frozenset({"components"})
+    accepts = frozenset({"components"})  # none where how many there are depends on the numbers
     lists_components = False
 
     def heading(self, question: Question) -> str:

@@ -168,7 +168,7 @@ def _quantity(each: PartScheme, key: Key) -> Iterator[str]:
 def _values(values: tuple[float, ...], each: PartScheme) -> str:
     """Values in the part's unit, an angle in degrees too."""
     if each.part.rows:
-        pairs = zip(values, each.part.units, strict=True)
+        pairs = zip(values, each.part.units_for(len(values)), strict=True)
         return in_convention("; ".join(_measure(unit.from_si(value), FIGURES, unit) for value, unit in pairs))
     asked = each.part.unit
     units = (asked, *([unit("deg")] if asked == unit("rad") else []))

@@ -12,6 +12,7 @@ from itertools import islice
 from corollary.derive.again import SolvedAgain, differential
 from corollary.derive.applied import applied
 from corollary.derive.load import Loaded
+from corollary.derive.one_entry import with_one_entry
 from corollary.derive.simulation import Simulation
 from corollary.derive.solution import Solution
 from corollary.derive.solve import solvers
@@ -292,6 +293,10 @@ class BentLaw:
 def score(loaded: Loaded, solution: Solution, own: Key, played: Played) -> MutationScore:
     """The score of a problem whose derivation is solved; `own` is the key of the printed numbers, `played` has the keys of draws
     with the scenes that were run for them."""
+    if solution.template is not None:
+        loaded, solution = with_one_entry(loaded, solution, own.variant)
+        own = make_key(solution, own.variant)
+        played = list(_of_same_numbers(solution, played))
     checks = _checks(loaded, solution, own, played)
     every = list(_tried(loaded, solution, checks))
     counted = [each for each in every if each.by not in ("same", "undecided")]
@@ -313,6 +318,15 @@ def score(loaded: Loaded, solution: Solution, own: Key, played: Played) -> Mutat
             dict.fromkeys(f"{file}:{each.line}: {each.law.name}" for each in every if each.by == "undecided")
         ),
     )
+
+
+def _of_same_numbers(
+    solution: Solution, played: Played
+) -> Iterator[tuple[Key, Sequence[tuple[Simulation, Run]]]]:
+    """The keys of the same numbers by another solution, but for those for which it has no answer."""
+    for key, runs in played:
+        with suppress(Undefined):
+            yield make_key(solution, key.variant), runs
 
 
 def _tried(loaded: Loaded, solution: Solution, checks: Sequence[Checks]) -> Iterator[BentLaw]:

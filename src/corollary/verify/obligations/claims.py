@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations, product
 
-from corollary.derive.solution import AppliedLaw, Solution, Unknown
+from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
 from corollary.formula.arithmetics import constant
 from corollary.formula.ast import (
     ONE,
@@ -79,7 +79,9 @@ def not_zero(solution: Solution) -> Iterator[Obligation]:
 def off_steps(solution: Solution) -> Iterator[Obligation]:
     """The argument of each floor, ceil and round is where it does not jump; numbers near a step are redrawn."""
     for find in solution.unknowns:
-        for call in dict.fromkeys(each for tree in find.in_givens or () for each in calls(tree)):
+        ends = find.numbering.ends if find.numbering and find.numbering.ends else ()
+        trees = (*(find.in_givens or ()), *ends)
+        for call in dict.fromkeys(each for tree in trees for each in calls(tree)):
             if step := FUNCTIONS[call.function].step:
                 (argument,) = call.arguments
                 turned = Product((Name("pi"), argument))
@@ -157,7 +159,9 @@ TRUE, FALSE = Relation("=", ZERO, ZERO), Relation("=", ONE, ZERO)
 
 def one_case(solution: Solution) -> Iterator[Obligation]:
     """Of the cases, and of the options of each choice."""
-    if solution.regimes:
+    if solution.template is not None:
+        yield from lengths_met(solution, solution.template)
+    elif solution.regimes:
         line = min(each.line for each in solution.regimes)
         yield _exactly_one([each.conditions for each in solution.regimes], "exactly one case holds", line)
     for part, choice in solution.choices.items():
@@ -174,6 +178,47 @@ def _exactly_one(cases: list[Clause], claim: str, line: int) -> Obligation:
     if len(every) + len(pairs) > MOST_CLAUSES:
         return Obligation("one case", claim, line, open="there are too many conditions")
     return Obligation("one case", claim, line, (*every, *pairs))
+
+
+def lengths_met(solution: Solution, template: Solution) -> Iterator[Obligation]:
+    """Each end of the range of a list is one of those whose lists are checked: there is no number between two of these."""
+    for place, find in enumerate(template.unknowns):
+        if find.numbering is None or find.numbering.ends is None:
+            continue
+        lists = [each.solution.unknowns[place] for each in solution.regimes]
+        lengths = {len(each.entries) for each in lists}
+        claim = f"the lists of {find.names[0]} that are checked are all there are"
+        needs: list[Clause] = []
+        varying = 0
+        for end in find.numbering.ends:
+            if constant(end) is None:
+                varying += 1
+                found = sorted({number for each in lists for number in _end_numbers(each, end, find)})
+                if not found or found != list(range(found[0], found[-1] + 1)):
+                    varying = 2
+                    break
+                needs += [(Relation(">=", end, _whole(found[0])),), (Relation("<=", end, _whole(found[-1])),)]
+        if varying > 1:
+            yield Obligation(
+                "one case", claim, find.statement.line, open=f"{len(lengths)} lengths were met", tried=True
+            )
+        else:
+            yield Obligation("one case", claim, find.statement.line, tuple(needs))
+
+
+def _end_numbers(found: Unknown, end: Expr, template: Unknown) -> Iterator[int]:
+    """The number that an end of the range is, where the list has the entries that were found."""
+    assert template.numbering is not None
+    assert template.numbering.ends is not None
+    low, high = template.numbering.ends
+    other = constant(high if end is low else low)
+    if other is not None:
+        count = len(found.entries) - 1
+        yield int(other) - count if end is low else int(other) + count
+
+
+def _whole(number: int) -> Expr:
+    return Number(Fraction(number)) if number >= 0 else Negative(Number(Fraction(-number)))
 
 
 TRUE_AT_ONCE = "sympy takes the condition for true before it has numbers; in quotes it is proven as it stands"
@@ -260,8 +305,9 @@ def only_roots(solution: Solution) -> Iterator[Obligation]:
     """For each step: its condition holds for the root that is meant, and for no other that is real."""
     found: dict[str, Expr] = {}
     for find in solution.unknowns:
-        if find.laws:
-            yield _only_root(find, found)
+        for each in find.entries or (find,):
+            if each.laws:
+                yield _only_root(each, found)
         if find.in_givens is not None:
             found |= zip(find.names, find.in_givens, strict=True)
         found |= find.aside
@@ -313,7 +359,11 @@ def apart(solution: Solution) -> Iterator[Obligation]:
         largest = max(MOST_TOLERANCE, solution.problem.part(each.part).tolerance)
         share = Number(Fraction(str(largest)) + Fraction(str(APART)))  # relative: beyond, it is told apart
         wrong = each.formulas(solution)
-        if find.in_givens is None or wrong is None:
+        rule = each.mistake.rule
+        if isinstance(rule, ClosedForms) and rule.numbering != find.numbering:
+            why = "how long its list is depends on the numbers"
+            yield Obligation("mistake apart", claim, line, redrawn=True, open=why)
+        elif find.in_givens is None or wrong is None:
             why = "it rests on a simulation"
             yield Obligation("mistake apart", claim, line, redrawn=True, open=why)
         elif solution.problem.part(each.part).rows:
@@ -333,7 +383,7 @@ def differing(solution: Solution) -> Iterator[Obligation]:
     for place in range(len(solution.unknowns)):
         rules = [(each.mistake, each.formulas(solution)) for each in own_mistakes(solution, place)]
         for (one, left), (other, right) in combinations(rules, 2):
-            if left is not None and right is not None:
+            if left is not None and right is not None and len(left) == len(right):
                 claim = f"{one.text!r} and {other.text!r} are two mistakes"
                 need: Clause = tuple(Relation("!=", a, b) for a, b in zip(left, right, strict=True))
                 yield Obligation("mistakes differ", claim, other.line, (need,))
