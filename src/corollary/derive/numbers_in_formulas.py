@@ -36,6 +36,11 @@ def quantity(value: float, unit: Unit, *, in_formula: bool = False) -> str:
     return _bracketed(whole, text) if in_formula else whole
 
 
+def whole_quantity(value: float, unit: Unit) -> str:
+    """A whole number in SI, in a unit."""
+    return _with_unit(f"{round(unit.from_si(value))}", unit)
+
+
 def _with_unit(text: str, unit: Unit) -> str:
     """A number and its unit; degrees stand at their number."""
     symbol = unit_latex(unit)

@@ -11,6 +11,7 @@ from typing import Any, cast
 
 import sympy
 
+from corollary.derive.numbered_list import listed
 from corollary.derive.solution import ClosedForms, Regime, Solution, Unknown
 from corollary.formula.arithmetics import DOUBLES, ready
 from corollary.formula.ast import (
@@ -42,6 +43,8 @@ AS_STATED = 1.6  # times the cost of the best form: so much longer may a law's o
 
 def with_presentation(solution: Solution) -> Solution:
     """The solution with the forms in which its worked solution prints formulas; what is computed with stays as it is."""
+    if solution.template is not None:
+        return listed(with_presentation(solution.template))
     problem = solution.problem
     draws = [chapter(problem), *sample(problem, TRIED - 1, salt="presentation")]
     points = [dict(each.si) for each in draws]
@@ -90,7 +93,7 @@ class Forms:
 
     def unknown(self, find: Unknown) -> Unknown:
         """The unknown with its forms, where it has formulas."""
-        if not isinstance(find.local, ClosedForms):
+        if not isinstance(find.local, ClosedForms) or find.numbering:
             return find
         for point in self.points:
             for name, formula in zip(find.names, find.local.trees, strict=True):

@@ -17,7 +17,13 @@ from corollary.derive.introduced_letters import (
     found_first,
     introduced,
 )
-from corollary.derive.numbers_in_formulas import broken, given_numbers, quantity, without_repetition
+from corollary.derive.numbers_in_formulas import (
+    broken,
+    given_numbers,
+    quantity,
+    whole_quantity,
+    without_repetition,
+)
 from corollary.derive.solution import (
     AppliedLaw,
     ClosedForms,
@@ -396,12 +402,6 @@ def _printed(
             ):
                 return forms[place]
     return trees[place]
-
-
-def whole_quantity(value: float, unit: Unit) -> str:
-    """A whole number with its unit."""
-    symbol = unit_latex(unit)
-    return f"{round(unit.from_si(value))}" + (rf"\,{symbol}" if symbol else "")
 
 
 def _units(find: Unknown, part: Part | None) -> Sequence[Unit]:
