@@ -5,7 +5,10 @@ from __future__ import annotations
 import pytest
 
 from corollary.problem.bank import Bank, find
+from corollary.problem.reader import read_problem
+from corollary.problem.sampling import spread
 from corollary.verify.verify import verify
+from corollary.verify.walk import TriedDraw, narrower
 
 PROBLEM = """\
 ---
@@ -115,3 +118,16 @@ def test_numbers_of_a_row_without_words_must_stand_in_the_text(verified):
     silent = PROBLEM.replace(", {{a}} and {{b}}", "").replace("Of {{name}}", "Of something")
     notes = [each for each in verified("14", silent).notes if "not in the text" in each]
     assert {each.split("the given ")[1].split()[0] for each in notes} == {"name", "a", "b"}
+
+
+def test_a_row_of_which_all_draws_are_refused_is_the_one_to_leave_out(tmp_path):
+    path = tmp_path / "quotient.md"
+    path.write_text(
+        PROBLEM.replace("LAST", "14").replace("to: 4, step: 1", "to: 40, step: 1"), encoding="utf-8"
+    )
+    draws = spread(read_problem(path), 200, salt="test")
+    found = narrower([TriedDraw(each, each.values["a"] != 12) for each in draws])
+    assert (
+        found
+        == "with the row (a: 12, b: 13, name: beta) left out it would be 0 % of them; beyond that it is 100 %"
+    )

@@ -22,11 +22,12 @@ from corollary.grading.assign import admitted, collisions
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
 from corollary.grading.neglect import neglected_in, neglects
+from corollary.problem.axes import tables
 from corollary.problem.bank import Bank
 from corollary.problem.diagnostic import name_in_bank
 from corollary.problem.given import Given
 from corollary.problem.sampling import sample
-from corollary.problem.variant import Variant, chapter, first_broken, number, size
+from corollary.problem.variant import Variant, chapter, first_broken, number, row_in_words, size
 from corollary.scenes.plan import followed
 from corollary.scenes.run import BadSetting, GuardFailed, Run, components
 from corollary.units.unit import show
@@ -69,7 +70,9 @@ def narrower(tried: Sequence[TriedDraw]) -> str:
         if each.grid.count > 1 and not each.words and not each.table
     ]
     best = max(
-        (*_of_ranges(givens, tried), *_of_ratios(givens, tried)), key=lambda each: each.weight, default=None
+        (*_of_ranges(givens, tried), *_of_ratios(givens, tried), *_of_rows(tried)),
+        key=lambda each: each.weight,
+        default=None,
     )
     if best is None:
         return ""
@@ -85,6 +88,22 @@ def _of_ranges(givens: Sequence[Given], tried: Sequence[TriedDraw]) -> Iterator[
 
         pairs = [(each.variant.values[given.symbol], each.admitted) for each in tried]
         yield from _limits(pairs, sorted({value for value, _admitted in pairs}), words, 1.0)
+
+
+def _of_rows(tried: Sequence[TriedDraw]) -> Iterator[RangeLimit]:
+    """Each row of a table, left out."""
+    for columns in tables(tried[0].variant.problem):
+        for place in range(columns[0].grid.count):
+            row = {given.symbol: given.grid[place] for given in columns}
+            own = [each.admitted for each in tried if row.items() <= each.variant.values.items()]
+            others = [each.admitted for each in tried if not row.items() <= each.variant.values.items()]
+            if min(len(own), len(others)) < ENOUGH:
+                continue
+            inside, outside = (1 - sum(each) / len(each) for each in (others, own))
+            if outside - inside >= FEWER:
+                words = f"the row ({row_in_words(columns, place)}) left out"
+                weight = len(own) * len(others) * (outside - inside) ** 2
+                yield RangeLimit(words, inside, outside, weight)
 
 
 def _of_ratios(givens: Sequence[Given], tried: Sequence[TriedDraw]) -> Iterator[RangeLimit]:
