@@ -39,6 +39,7 @@ from corollary.derive.statements import (
     Code,
     Confirm,
     Doubt,
+    Each,
     Example,
     Exchange,
     Explain,
@@ -94,10 +95,11 @@ def step(
     routes: Sequence[Route[Law]] = (),
     check: str = "",
     scale: sympy.Expr | None = None,
+    each: Each | None = None,
 ) -> Step | tuple[Step, ...]:
     """Finds something because of laws; `answers` names the part it answers, or the unknowns that answer each of several parts,
-    `{"a": F, "b": (v_x, v_y)}`; `where` says which root is meant."""
-    several = {part: _tuple(each) for part, each in answers.items()} if isinstance(answers, Mapping) else {}
+    `{"a": F, "b": (v_x, v_y)}`; `where` says which root is meant, `each` for which whole numbers a list has an entry."""
+    several = {name: _tuple(found) for name, found in answers.items()} if isinstance(answers, Mapping) else {}
     part = answers if isinstance(answers, str) else ""
     stated = Step(
         Statement(part, because, line_of_word(), check),
@@ -109,17 +111,27 @@ def step(
         tuple(mistakes),
         tuple(routes),
         None if scale is None else as_expression(scale),
+        each,
     )
     return one_for_each_part(stated, several) if several else stated
 
 
+def each(letter: sympy.Symbol, low: object, high: object) -> Each:
+    """Each whole number of a range: `each(m, 1, floor(d/lam))` with `m = variable("m")`."""
+    return Each(letter, as_expression(low), as_expression(high))
+
+
 def mistake(
-    text: str, *laws: Law, instead: str | Sequence[str] = (), where: Boolean | bool | None = None
+    text: str,
+    *laws: Law,
+    instead: str | Sequence[str] = (),
+    where: Boolean | bool | None = None,
+    each: Each | None = None,
 ) -> Mistake[Exchange]:
     """What a student is told who put these laws in the place of one of the step, or of those named; `where` says which root."""
     named = (instead,) if isinstance(instead, str) else instead
     which = None if where is None else as_condition(where)
-    return Mistake(text, Exchange(only_laws(laws), tuple(filter(None, named)), which), line_of_word())
+    return Mistake(text, Exchange(only_laws(laws), tuple(filter(None, named)), which, each), line_of_word())
 
 
 def route(because: str, *laws: Law) -> Route[Law]:

@@ -214,6 +214,39 @@ def test_it_verifies_and_says_proven_only_of_what_is(tmp_path):
     assert checked.mutation.bends > 10
 
 
+def test_in_python_it_is_the_same(tmp_path, orders):
+    problem = PROBLEM[: PROBLEM.index("## Both sides")]
+    found = bank(tmp_path, problem)
+    (tmp_path / "solutions/all/orders.md").unlink()
+    (tmp_path / "solutions/all/orders.py").write_text(
+        '''"""Gratings."""
+
+from sympy import And, floor, pi
+
+from corollary.author import derivation, each, mistake, step, unknowns, variable
+from corollary.laws import law, wrong
+
+
+def derive(d, lam, h):
+    D, theta = unknowns("D theta")
+    m = variable("m")
+    return derivation(
+        step(D, "It is wider.", law("Wider", "D = d + h"), answers="a"),
+        step(
+            theta, "Whole wavelengths.", law("Grating", "D*sin(theta) = m*lam"), answers="b", each=each(m, 1, floor(D/lam)),
+            where=And(theta > 0, theta <= pi/2),
+            mistakes=[mistake("No.", each=each(m, 0, floor(D/lam))), mistake("Small.", wrong("D*theta = m*lam"))],
+        ),
+    )
+''',
+        encoding="utf-8",
+    )
+    key = make_key(solve(*found), chosen(found[1], dict[str, Fraction]()))
+    assert key.truths["b"].values == key_for(orders).truths["b"].values
+    zeroth = ["0 deg", "16.6 deg", "34.85 deg", "59.0 deg"]
+    assert judge(key, {"a": from_json("2.1 um"), "b": from_json(zeroth)})["b"][0][0].mistake == "No."
+
+
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
