@@ -367,7 +367,8 @@ def test_an_example_of_an_item_can_be_read_below_a_step(bank, problem, word):
 
 
 @pytest.mark.parametrize(
-    "word", [each for each in FIELDS if each not in ("code", "title", "given", "figure", "alt", "require", "rows")]
+    "word",
+    [each for each in FIELDS if each not in ("code", "title", "given", "figure", "alt", "require", "rows")],
 )
 def test_an_example_of_a_line_of_the_front_matter_can_be_read(bank, problem, word):  # fmt: skip
     text = re.sub(rf"^{word}:.*\n(?:  .*\n)*", "", problem.read_text(encoding="utf-8"), flags=re.MULTILINE)
@@ -383,7 +384,9 @@ def test_an_example_of_a_given_can_be_read(bank, problem, example):
 
 @pytest.mark.parametrize(
     "word",
-    sorted(KNOWN - {"given", "components", "rows", "columns", "function", "slope", "unit", "points", "expected"}),
+    sorted(
+        KNOWN - {"given", "components", "rows", "columns", "function", "slope", "unit", "points", "expected"}
+    ),
 )
 def test_an_example_of_an_attribute_can_be_read(bank, problem, word):  # fmt: skip
     change(problem, '{#b .value unit="m/s" points=2 ', f'{{#b .value unit="m/s" {ATTRIBUTES[word][1]} ')

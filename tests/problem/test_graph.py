@@ -185,6 +185,15 @@ def test_numbers_of_axes_are_written_as_the_language_does(graph):
     assert "12 bei 0,5" in found.alt
 
 
+def test_the_letter_of_an_axis_is_slanted_and_its_unit_is_not(graph):
+    svg = drawn(
+        chapter(graph('graph x=t,0,1 y=0,20 units=s,m/s "time t" "v_x"', "curve through=(0,0),(0.5,V)"))
+    ).svg
+    slanted = re.findall(r'font-style="italic">([^<]*)<', svg)
+    assert slanted == ["t", "v"]
+    assert ">x</tspan>" in svg
+
+
 def test_a_given_of_another_name_moves_in_formulas_and_not_in_units():
     line = 'graph x=t,0,s units=s,m/s "t" "v"'
     assert in_letters(line, {"s": "T"}) == 'graph x=t,0,T units=s,m/s "t" "v"'

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from corollary.figure.drawing_sheet import FigureItem, NotDrawable
-from corollary.figure.lettering import spoken
+from corollary.figure.lettering import UNIT_AHEAD, spoken
 from corollary.messages import catalogue, in_convention
 
 _ = catalogue(__name__)
@@ -105,7 +105,10 @@ def _neat_below(size: float) -> float:
 
 def axis_title(quantity: str, unit: str) -> str:
     """`t in s`: what an axis shows."""
-    return _("{quantity} in {unit}", quantity=quantity, unit=unit) if unit else quantity
+    if not unit:
+        return quantity
+    title = _("{quantity} in {unit}", quantity=quantity, unit=unit)
+    return f"{title.removesuffix(unit).rstrip()}{UNIT_AHEAD}{unit}"
 
 
 def graph_in_words(items: Sequence[FigureItem]) -> str:
@@ -114,7 +117,7 @@ def graph_in_words(items: Sequence[FigureItem]) -> str:
     if graph is None:
         return ""
     x, y = GraphScale(*graph.numbers["x"]), GraphScale(*graph.numbers["y"])
-    across, up = (spoken(text) for text in graph.texts)
+    across, up = (spoken(text).replace(UNIT_AHEAD, " ") for text in graph.texts)
     if "sketch" in graph.flags:
         ranges = _("Sketch of {up} against {across}, without numbers.", up=up, across=across)
         return " ".join([ranges, *_curves_in_words(items, x, y, sketched=True)])

@@ -23,6 +23,8 @@ SYMBOL = re.compile(
 )
 UNIT_AHEAD: Final = "\N{NO-BREAK SPACE}"
 """Stands between a number and its unit, and nowhere else: a text with one is more than a formula."""
+OF_AN_AXIS = re.compile(rf" [^\W\d]+{UNIT_AHEAD}\D")
+"""What stands behind the letter of an axis: ` in kg`."""
 NARROW, WIDE = frozenset("ijlI.,:;'|!()[] ft"), frozenset("mwMW@%—Δ")
 
 
@@ -42,6 +44,7 @@ def lettered(text: str, size: int = SIZE) -> tuple[str, float]:
         index = found["long"] or found["digits"] or ""
         letter = found["letter"]
         named = index or letter > "z" or re.match(r"\s*[=<>≈]", text[found.end() :])
+        named = named or OF_AN_AXIS.match(text[found.end() :])
         named = named or text[: found.start()].rstrip().endswith(("<", ">", "≈"))
         if not (named or formula) or text[: found.start()].endswith(UNIT_AHEAD):
             continue
