@@ -95,7 +95,8 @@ def test_the_pair_verifies(tmp_path, code):
         path.write_text(text, encoding="utf-8")
     checked = verify(Bank(tmp_path), read_problem(tmp_path / "problems" / "x" / f"{name}.md"), 5)
     assert checked.complaints == ()
-    examples = [name for name in pair.programs if "/judge_" not in name]
+    asked = re.findall(r"(?m)^## .*\{.*\}$", pair.problem)
+    examples = [kind for heading in asked for kind in re.findall(r"\.(?:code|plot)\b", heading)]
     assert checked.checks.get("programs run", 0) == 2 * len(examples)
     assert pair.programs or checked.checks.get("mistakes apart", 0) > 0
     assert ("def scene" in pair.beside) == (checked.checks.get("simulations met", 0) > 0)

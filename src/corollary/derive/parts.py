@@ -10,8 +10,10 @@ from corollary.answers.registry import answer_type
 from corollary.derive.derivation import ENTRIES, Always, Asserted, Derivation, Entry
 from corollary.derive.solution import Unsolved
 from corollary.derive.statements import (
+    Code,
     Example,
     Finding,
+    FunctionFormula,
     Neglected,
     Optimum,
     Printed,
@@ -82,6 +84,12 @@ def _unfit(problem: Problem, entry: Entry, name: str) -> Iterator[str]:
             f'part {name} is a .list; name what it holds, components="first second", or state in its step for which whole numbers '
             "there is an entry: each: `m` from `1` to `floor(d/lam)`"
         )
+    elif (
+        isinstance(entry, Code)
+        and isinstance(entry.judge, FunctionFormula)
+        and "".join(part.signature.split()) != entry.judge.signature
+    ):
+        yield f'part {name} asks for function="{part.signature}", and {entry.judge.signature} is judged; make them the same'
     elif isinstance(entry, Step | Optimum | Simulated | Example) and len(entry.unknowns) != (
         len(part.components) or 1
     ):

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     import sympy
     from sympy.logic.boolalg import Boolean
 
+    from corollary.formula.ast import Expr
     from corollary.laws.law import Law
 
 _ = catalogue(__name__)
@@ -209,14 +210,82 @@ class Example(Generic[Symbol, Expression, LawT]):
     instance: tuple[Expression, ...] | None = None
 
 
+def _filled(example: str, givens: Mapping[str, float]) -> str:
+    """A program with the numbers of givens, in SI, in their holes."""
+    text = example.strip()
+    for name, value in givens.items():
+        text = text.replace(f"{{{name}}}", repr(value))
+    return text
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnArgument:
+    """An argument of a student's function, drawn between two numbers in SI; `whole`: a whole number."""
+
+    name: str
+    low: float
+    high: float
+    whole: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionFormula:
+    """A judge of a student's function: a formula of its arguments and the givens, in SI.
+
+    `corners` set some arguments, each in a call of its own. `within` is relative. `mistakes` are usual formulas, each with what the
+    student is told.
+    """
+
+    name: str
+    arguments: tuple[DrawnArgument, ...]
+    formula: Expr
+    corners: tuple[tuple[tuple[str, float], ...], ...] = ()
+    within: float = 1e-6
+    mistakes: tuple[tuple[Expr, str], ...] = ()
+
+    @property
+    def signature(self) -> str:
+        return f"{self.name}({','.join(each.name for each in self.arguments)})"
+
+
+@dataclass(frozen=True, slots=True)
+class CurveFormula:
+    """A judge of a figure: the curve of a formula of `letter` and the givens between two ends, in axes with these labels."""
+
+    formula: Expr
+    letter: str
+    ends: tuple[Expr, Expr]
+    labels: tuple[str, str]
+    mistakes: tuple[tuple[Expr, str], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class LineFormula:
+    """A judge of a figure: a straight line through the student's points, by its slope and, where it is asked for, its intercept.
+
+    `within` is relative, of the intercept to the height of what is drawn.
+    """
+
+    slope: Expr
+    intercept: Expr | None
+    labels: tuple[str, str]
+    within: float
+
+
 @dataclass(frozen=True, slots=True)
 class Code:
-    """A function the student writes: drawn inputs, and a judge of what it returned for all of them."""
+    """A function the student writes: drawn inputs, and a judge of what it returned for all of them; or a formula that is both."""
 
     statement: Statement
-    inputs: Callable[[Mapping[str, float], Callable[[float, float], float]], Sequence[Mapping[str, Any]]]
-    judge: Callable[..., Fault | Remark | None]
+    inputs: (
+        Callable[[Mapping[str, float], Callable[[float, float], float]], Sequence[Mapping[str, Any]]] | None
+    )
+    judge: Callable[..., Fault | Remark | None] | FunctionFormula
     example: str
+
+    def example_for(self, givens: Mapping[str, float]) -> str:
+        """The program, with a student's numbers where a formula made it."""
+        return _filled(self.example, givens if isinstance(self.judge, FunctionFormula) else {})
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,9 +296,13 @@ class Plot:
     """
 
     statement: Statement
-    judge: Callable[..., Fault | Doubt | None]
+    judge: Callable[..., Fault | Doubt | None] | CurveFormula | LineFormula
     example: str
     with_calls: bool = False
+
+    def example_for(self, givens: Mapping[str, float]) -> str:
+        """The figure, with a student's numbers."""
+        return _filled(self.example, givens)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from corollary.derive.numbered_list import listed
 from corollary.derive.solution import AppliedLaw, Solution, SolvedNeglected, SolvedRoute, Unknown, Unsolved
-from corollary.derive.statements import Explain, Mistake, Statement
+from corollary.derive.statements import Code, CurveFormula, Explain, FunctionFormula, Mistake, Plot, Statement
 
 Say = Callable[[str], str]
 
@@ -96,6 +96,14 @@ def _entry(entry: Unsolved, say: Say) -> Unsolved:
         case Explain():
             explained = replace(entry, rubric=tuple(map(say, entry.rubric)), answer=say(entry.answer))
             return replace(explained, statement=_statement(entry.statement, say))
+        case (
+            Code(judge=FunctionFormula() | CurveFormula() as judge)
+            | Plot(judge=FunctionFormula() | CurveFormula() as judge)
+        ):
+            mistakes = tuple((formula, say(text)) for formula, text in judge.mistakes)
+            return replace(
+                entry, statement=_statement(entry.statement, say), judge=replace(judge, mistakes=mistakes)
+            )
         case _:
             return replace(entry, statement=_statement(entry.statement, say))
 

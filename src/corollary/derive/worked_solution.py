@@ -37,7 +37,7 @@ from corollary.derive.solution import (
     SolvedRoute,
     Unknown,
 )
-from corollary.derive.statements import Code, Explain
+from corollary.derive.statements import Code, CurveFormula, Explain, Plot
 from corollary.formula.arithmetics import DOUBLES, ready
 from corollary.formula.ast import Expr, Name, Number, Relation, names
 from corollary.formula.ball import certified
@@ -455,7 +455,9 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
     for entry in solution.entries:
         match entry:
             case Code() if entry.statement.part == part.id:
-                lines += [entry.statement.because, "", "```python", entry.example.strip(), "```", ""]
+                lines += [entry.statement.because, "", "```python", entry.example_for(variant.si), "```", ""]
+            case Plot(judge=CurveFormula() as judge) if entry.statement.part == part.id:
+                lines += [entry.statement.because, "", f"$${latex(judge.formula)}$$", ""]
             case Explain() if entry.statement.part == part.id:
                 lines += [entry.answer, "", *(f"- {each}" for each in entry.rubric)]
             case _:

@@ -80,9 +80,7 @@ def _check_part(runner: Runner, key: Key, part: Part, path: Path, tally: Tally) 
 def example(key: Key, part: Part) -> str:
     """The program and the figure that the solution shows, with the key's numbers in the figure."""
     plot = plot_of(key.solution, part)
-    drawn = plot.example.strip() if plot is not None else ""
-    for name, value in key.variant.si.items():
-        drawn = drawn.replace(f"{{{name}}}", repr(value))
+    drawn = plot.example_for(key.variant.si) if plot is not None else ""
     return f"{_program(key, part)}\n{drawn}\n"
 
 
@@ -98,7 +96,7 @@ def bent(key: Key, part: Part) -> str:
 
 def _program(key: Key, part: Part) -> str:
     code = code_of(key.solution, part)
-    return code.example.strip() if code is not None else ""
+    return code.example_for(key.variant.si) if code is not None else ""
 
 
 def _verdicts(runner: Runner, key: Key, part: Part, path: Path, source: str) -> tuple[Verdict, ...]:

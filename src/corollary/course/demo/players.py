@@ -81,15 +81,12 @@ def instance(key: Key, part: str) -> list[float]:
 def _examples(prompt: Prompt, key: Key) -> Sources:
     """Programs, figures and explanations from the solution."""
     sources: Sources = {}
-    numbers = {name: repr(value) for name, value in key.variant.si.items()}
     for entry in key.solution.entries:
         match entry:
             case Code() if entry.statement.part == prompt.part.id:
-                sources[f"{prompt.key}_answer"] = f"import numpy as np\n{entry.example.strip()}"
+                sources[f"{prompt.key}_answer"] = f"import numpy as np\n{entry.example_for(key.variant.si)}"
             case Plot() if entry.statement.part == prompt.part.id:
-                body = entry.example.strip()
-                for name, value in numbers.items():
-                    body = body.replace(f"{{{name}}}", value)
+                body = entry.example_for(key.variant.si)
                 sources[f"{prompt.key}_plot"] = f"import numpy as np\nimport matplotlib.pyplot as plt\n{body}"
             case Explain() if entry.statement.part == prompt.part.id:
                 sources[prompt.key] = entry.answer

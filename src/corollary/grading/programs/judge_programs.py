@@ -17,6 +17,7 @@ from corollary.derive.statements import Code, Doubt, Fault, Plot, Remark
 from corollary.formula.value import Exact, Items, Nothing, Real, Value
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.convergence import Called
+from corollary.grading.programs.formula_judges import code_judge, inputs_from, plot_judge
 from corollary.grading.programs.work import TooMuchCompared, limited
 from corollary.messages import catalogue
 from corollary.problem.bank import bank_of
@@ -75,7 +76,7 @@ def inputs_of(
         return low + (high - low) * number / (1 << 53)
 
     with _authors(variant, code, "the inputs fail"):
-        return list(code.inputs(variant.si, draw))
+        return list(inputs_from(code)(variant.si, draw))
 
 
 def verdicts_on_runs(
@@ -100,7 +101,7 @@ def judge_code(
     if isinstance(called, Unread):
         return called
     with _authors(variant, code, "the judge fails"):
-        verdict = _verdict(code.judge(variant.si, called))
+        verdict = _verdict(code_judge(code)(variant.si, called))
     if isinstance(verdict, Mistaken) and len(called) > 1 and _is_constant(called):
         return Wrong(_("{function} returns the same for all arguments.", function=part.function))
     return verdict
@@ -173,7 +174,7 @@ def _judge_plot(
         if not axes:
             return blank
         with _authors(variant, plot, "the judge of figures fails"):
-            return _verdict(plot.judge(variant.si, axes, *called))
+            return _verdict(plot_judge(plot)(variant.si, axes, *called))
 
     own = verdict_on(run.figures)
     if isinstance(own, Right | Unmarked):
