@@ -6,8 +6,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Collection, Generator, Iterable
+from collections.abc import Callable, Collection, Generator, Iterable, Mapping
 from contextlib import contextmanager
+from types import MappingProxyType
 from typing import cast
 
 import sympy
@@ -226,3 +227,9 @@ def _python(tree: Expr) -> str:
 def _numbers_of(letters: Collection[str], *formulas: Expr) -> list[str]:
     """A line for each given in some formulas, with a hole for the student's number."""
     return [f"{name} = {{{name}}}" for name in sorted(names(*formulas) & {*letters})]
+
+
+BY_FORMULA: Mapping[str, Callable[[Section, Statement, Collection[str]], Code | Plot]] = MappingProxyType(
+    {"returns": function_by_formula, "curve": curve_by_formula, "fit": line_by_formula}
+)
+"""By the item that such a section begins with."""

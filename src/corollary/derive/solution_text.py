@@ -12,7 +12,7 @@ from typing import Any, cast
 import sympy
 
 from corollary.derive.beside import LazyModule, program_text
-from corollary.derive.declared_judges import curve_by_formula, function_by_formula, line_by_formula
+from corollary.derive.declared_judges import BY_FORMULA
 from corollary.derive.derivation import (
     Always,
     Branch,
@@ -75,7 +75,7 @@ from corollary.messages import did_you_mean
 OPTION = re.compile(
     r"\((?P<option>\w+)\)\s+is\s+(?P<right>right|wrong)(?:\s+if\s+`(?P<condition>[^`]+)`)?(?::\s+(?P<text>.*))?$"
 )
-KINDS = ("optimum", "simulated", "example", "neglected", "proof", "code", "plot", "returns", "curve", "fit")
+KINDS = ("optimum", "simulated", "example", "neglected", "proof", "code", "plot", *BY_FORMULA)
 """Items that say of which kind a section is."""
 
 
@@ -246,7 +246,9 @@ class SolutionReader:
         check = " ".join(item.text for item in section.items if item.key == "check")
         statement = Statement(part, section.paragraph, section.line, check)
         found: list[Entry] = []
-        if kind != "checks":
+        if kind in BY_FORMULA:
+            found.append(BY_FORMULA[kind](section, statement, self.givens))
+        elif kind != "checks":
             read: Callable[[Section, Statement, tuple[sympy.Symbol, ...]], Entry] = getattr(self, f"_{kind}")
             entry = read(section, statement, names)
             if isinstance(entry, Step):
@@ -552,15 +554,6 @@ class SolutionReader:
             )
             example = program_text(self.folder / named_below(item, "example"))
             return Plot(statement, judge, example, bool(item.values("with calls")))
-
-    def _returns(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Code:
-        return function_by_formula(section, statement, self.givens)
-
-    def _curve(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Plot:
-        return curve_by_formula(section, statement, self.givens)
-
-    def _fit(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Plot:
-        return line_by_formula(section, statement, self.givens)
 
     # claims
 
