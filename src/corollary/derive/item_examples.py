@@ -21,6 +21,7 @@ OPTIONS: tuple[tuple[str, str, str], ...] = (
 )
 ITEMS: Mapping[str, tuple[str, str]] = {
     "law": ("a law by its name and formula, or a law of the library", "- law: Speed, `v = d/t`"),
+    "each": ("a list with an entry for each whole number", "- each: `m` from `1` to `floor(d/lam)`"),
     "also": ("unknowns in the laws that nobody asks for", "- also: `T, N`"),
     "where": ("which of several roots is meant", "- where: `t > 0`"),
     "reject": ("a refused root, on record", "- reject: nothing has happened yet `t = 0`"),
@@ -46,6 +47,13 @@ ITEMS: Mapping[str, tuple[str, str]] = {
     "along": ("a direction, and the law of the components along it", "- along: up, `N = m*g`"),
     "code": ("the file of a program's judge", "- code: `braking/judge_braking.py`"),
     "plot": ("the file of a figure's judge", "- plot: `braking/judge_braking.py`"),
+    "returns": ("what a function of the student must return", "- returns: `place(v, a, t) = v*t - a*t^2/2`"),
+    "drawn": ("between which values an argument is drawn", "- drawn: `t` from `0.5 s` to `12 s`"),
+    "corner": ("a special case that is called, too", "- corner: `t = 0 s`"),
+    "curve": ("a curve that the figure must have", "- curve: `v - a*t` against `t` from `0` to `v/a`"),
+    "axes": ("the labels of the axes, with units", "- axes: `t [s]`, `v [m/s]`"),
+    "fit": ("the line through the student's points", "- fit: slope `2*a`, intercept `0`"),
+    "within": ("how far a program or a line may be off", "- within: 2 %"),
     "rubric": ("a line of the rubric by which a person marks", "- rubric: names the law of action and reaction"),
     "at": ("a special case: givens are set, and what is found is claimed", "- at: `v = w, u = v`"),
     "limit": ("what an answer comes to", "- limit: The way back takes no time. `u -> 2*v` as `w -> oo`"),
@@ -55,6 +63,7 @@ ITEMS: Mapping[str, tuple[str, str]] = {
 }  # fmt: skip
 ITEMS_BELOW: Mapping[str, tuple[str, str]] = {
     "law": ("a law below a mistake, a route or a confirm", "  - law: Left loop, `E = i*(R + T)`"),
+    "each": ("a mistake in a list of entries", "  - each: `m` from `0` to `floor(d/lam)`"),
     "with": ("letters of the law by those of the problem", "  - with: `m = m1 + m2`"),
     "holds": ("when the law holds", "  - holds: without friction"),
     "source": ("where the law is from", "  - source: (12.31)"),
