@@ -128,7 +128,7 @@ def _part(
     for each in solution.entries:
         match each:
             case Code() if each.statement.part == part.id:
-                entry |= {"function": part.signature, "example": each.example.strip()}
+                entry |= {"function": part.signature, "example": each.example_for(variant.si)}
             case Plot() if each.statement.part == part.id:
                 entry |= {"plot": each.statement.because}
             case Explain() if each.statement.part == part.id:
