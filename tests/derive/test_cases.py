@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 import sympy
@@ -92,6 +93,27 @@ def test_each_draw_has_the_answers_of_its_own_case(bank):
         assert ("**Here the block slides.**" in told(solution, variant)) is slides
         met.add(slides)
     assert met == {True, False}
+
+
+COMPARED = re.compile(
+    r"\$\$m\\, g\\, \\sin \\alpha = (\S+?)\\,\\mathrm\{N\} (\\leq|>) \\mu_\{s\}\\, N = (\S+?)\\,\\mathrm\{N\}\$\$"
+)
+
+
+def test_the_comparison_that_decides_stands_there_with_its_numbers(bank):
+    problem = problem_of(bank)
+    solution = solve(bank, problem)
+    signs = set()
+    for variant in sample(problem, 20):
+        m, degrees, mus = (float(variant.values[name]) for name in ("m", "alpha", "mus"))
+        angle = math.radians(degrees)
+        compared = COMPARED.search(told(solution, variant))
+        assert compared, told(solution, variant)
+        assert float(compared[1]) == pytest.approx(m * 9.81 * math.sin(angle), rel=1e-3)
+        assert float(compared[3]) == pytest.approx(mus * m * 9.81 * math.cos(angle), rel=1e-3)
+        assert compared[2] == (">" if math.tan(angle) > mus else r"\leq")
+        signs.add(compared[2])
+    assert len(signs) == 2
 
 
 def told(solution, variant) -> str:

@@ -54,6 +54,25 @@ CHAPTER = chapter_bank()
                 r"\circ}", r"\circ}}"
             ),
         ),
+        # matrices, extrema, units of the givens
+        (
+            MECHANICS,
+            "OSC.6",
+            r"= \begin{pmatrix}k + c & -c \\ -c & k + c\end{pmatrix}$$"
+            "\n"
+            r"$$= \begin{pmatrix}26.00 & -6.000 \\ -6.000 & 26.00\end{pmatrix}\,\mathrm{N/m}",
+        ),
+        (
+            CHAPTER,
+            "X12.7",
+            r"$$\frac{\mathrm{d} F_{y}}{\mathrm{d}\theta} = \frac{2\, m\, v_{0}\, \cos \theta}{\Delta t} = 0$$",
+        ),
+        (
+            MATTER,
+            "GAS.2",
+            r"S = \frac{\pi\, d^{2}}{4} = \frac{\pi\, (8.0\,\mathrm{cm})^{2}}{4} = 50.27\,\mathrm{cm^{2}}",
+        ),
+        (MECHANICS, "GRA.4", r"= (20400\,\mathrm{km}) - (3400\,\mathrm{km}) = 17000\,\mathrm{km}"),
     ],
 )
 def test_the_line_of_the_book(bank: Bank, code: str, line: str):
@@ -82,3 +101,61 @@ def test_what_is_printed_has_the_value_of_the_formula_that_marks(bank: Bank, cod
             for name, prints in zip(find_.names, find_.printed_in_givens or (), strict=False):
                 assert math.isclose(ready(prints, DOUBLES)(at), at[name], rel_tol=1e-9, abs_tol=1e-12)
     assert compared
+
+
+SHELF = """---
+code: U1
+title: A shelf
+given:
+  F: {is: pull, value: 300, from: 200, to: 400, step: 10, unit: N}
+  A: {is: area, value: 2, from: 1, to: 3, step: 0.5, unit: m^2}
+require:
+  - F > 0
+  - A > 0
+---
+A pull of {{F}} on an area of {{A}}, then three times the pressure.
+
+## Pressure {#a .value unit="kPa" points=1}
+How large is it?
+"""
+LAW = """A shelf.
+
+## p: MEANING
+
+Pull over area.
+
+- law: Pressure, `p = F/A`
+
+## (a) q
+
+Three times as much.
+
+- law: Sum, `q = 3*p`
+- mistake: Twice as much. `q = 2*p`
+- mistake: As much again. `q = 4*p`
+"""
+
+
+@pytest.mark.parametrize(
+    ("meaning", "words", "value"),
+    [
+        ("pressure of one in mbar", "pressure of one", r"1.500\,\mathrm{mbar}"),
+        ("pressure of one", "pressure of one", r"0.1500\,\mathrm{kPa}"),  # the part's
+        ("pressure of one in A", "pressure of one in A", r"0.1500\,\mathrm{kPa}"),  # no unit of a pressure
+    ],
+)
+def test_an_intermediate_result_stands_in_the_unit_that_its_author_names(
+    tmp_path: Path, meaning: str, words: str, value: str
+):
+    for folder, text in (("problems", SHELF), ("solutions", LAW.replace("MEANING", meaning))):
+        place = tmp_path / folder / "solids" / "shelf.md"
+        place.parent.mkdir(parents=True)
+        place.write_text(text, encoding="utf-8")
+    bank = Bank(tmp_path)
+    told = Solutions(bank).worked_solution(chapter(find(bank, "U1")))
+    assert f"**First find $p$ ({words}).**" in told
+    assert (
+        rf"p = \frac{{F}}{{A}} = \frac{{(300\,\mathrm{{N}})}}{{(2.0\,\mathrm{{m^{{2}}}})}} = {value}$$"
+        in told
+    )
+    assert rf"3\, ({value}) = 0.4500\,\mathrm{{kPa}}$$" in told

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 from itertools import chain, groupby
 
+from corollary.derive.intermediate_units import words_and_unit
 from corollary.derive.numbers_in_formulas import quantity
 from corollary.derive.solution import Solution, Unknown
 from corollary.formula.ast import Name, names
@@ -43,15 +44,23 @@ def asked_for(find: Unknown) -> str:
 
 def found_first(find: Unknown, solution: Solution) -> str:
     """The letters of what nobody asks for, each with what it stands for."""
-    return _listed((name, solution.meanings.get(name, "")) for name in find.names)
+    return _listed(
+        (name, words_and_unit(solution.meanings.get(name, ""), dimension)[0])
+        for name, dimension in zip(find.names, find.dimensions, strict=True)
+    )
 
 
 def explained(find: Unknown, solution: Solution, known: Collection[str]) -> list[str]:
     """A line that names the letters of this step which the author explains and that no line has named (not `known`), and an empty one."""
     headed = () if find.part else find.names
     used = _letters_in_laws(find) | set(find.names)
+    dimensions = {
+        name: dimension
+        for each in solution.unknowns
+        for name, dimension in zip(each.names, each.dimensions, strict=True)
+    }
     return _line(
-        (name, meaning)
+        (name, words_and_unit(meaning, dimensions[name])[0] if name in dimensions else meaning)
         for name, meaning in solution.meanings.items()
         if name in used and name not in known and name not in headed
     )

@@ -23,6 +23,7 @@ from corollary.formula.ast import (
     Number,
     Power,
     Product,
+    Relation,
     map_children,
     names,
     walk,
@@ -33,8 +34,10 @@ from corollary.formula.layout import Layout, LetterOrder, Points
 from corollary.formula.to_sympy import expression
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
+from corollary.units.dimension import Dimension
 
 TRIED = 6  # draws at which signs are seen; whoever prints a form holds it against the value
+ANGLES = {"deg", "rad"}  # whose letters are no coefficients
 LARGE = 60  # parts of a formula from which on only the cheap forms are tried
 MANY = 8  # terms, and letters to collect by, likewise
 FEW = 2  # terms of a factor that nothing is collected in
@@ -65,7 +68,10 @@ def _presented(solution: Solution, points: Points) -> Solution:
     forms = Forms(solution, [dict(each) for each in points])
     unknowns = tuple(map(forms.unknown, solution.unknowns))
     neglected = tuple(replace(each, bound=forms.unknown(each.bound)) for each in solution.neglected)
-    return replace(solution, unknowns=unknowns, neglected=neglected)
+    decided_by = tuple(map_children(each, forms.layout.set) for each in solution.decided_by)
+    return replace(
+        solution, unknowns=unknowns, neglected=neglected, decided_by=cast("tuple[Relation, ...]", decided_by)
+    )
 
 
 @dataclass(slots=True)
@@ -85,7 +91,12 @@ class Forms:
             for find in self._finds()
             for name, formula in zip(find.names, find.in_givens or (), strict=False)
         }
-        self.layout = Layout(LetterOrder(laws, formulas), self.points)
+        coefficients = [
+            given.symbol
+            for given in self.solution.problem.givens
+            if given.unit.dimension == Dimension() and given.unit.text not in ANGLES
+        ]
+        self.layout = Layout(LetterOrder(laws, formulas, coefficients), self.points)
 
     def _finds(self) -> Iterator[Unknown]:
         yield from self.solution.unknowns
@@ -105,7 +116,8 @@ class Forms:
         )
         in_givens = None if find.in_givens is None else tuple(map(self.best, find.in_givens))
         functions = tuple(replace(each, printed=self.best(each.formula)) for each in find.functions)
-        return replace(find, printed=local, printed_in_givens=in_givens, functions=functions)
+        slope = find.slope and (find.slope[0], self.best(find.slope[1]))
+        return replace(find, printed=local, printed_in_givens=in_givens, functions=functions, slope=slope)
 
     def local(self, stated: Expr | None, formula: Expr) -> Expr:
         """The law's own words where they are not much longer than the best form."""

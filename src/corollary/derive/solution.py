@@ -127,7 +127,8 @@ class Unknown:
     `in_givens` computes it from givens alone (None: simulated); `rejected` says why each other root is not meant; `note` how an
     extremum was found. `where` are the conditions on the root that is meant (None: not relations), `others` the roots that are
     not, `aside` what the laws needed besides, in givens. `printed` and `printed_in_givens` are the formulas as a worked solution prints
-    them (empty: not chosen). Of a list with an entry for each whole number of a range, `numbering` is
+    them (empty: not chosen). `slope` is the derivative that vanishes at an extremum, as it is written and worked out.
+        Of a list with an entry for each whole number of a range, `numbering` is
     that range, and `entries` are its entries for the numbers at hand (none: its formulas have the range's letter in them).
     """
 
@@ -150,6 +151,7 @@ class Unknown:
     printed_in_givens: tuple[Expr, ...] | None = None
     numbering: Numbering | None = None
     entries: tuple[Unknown, ...] = ()
+    slope: tuple[Expr, Expr] | None = None
 
     @property
     def part(self) -> str:
@@ -212,9 +214,9 @@ class Solution:
     """All that is true of a problem; `unknowns` in the order in which they are found, choices and the like by part.
 
     `paths` are the ways to each part from the student's own answers to those asked before it. Where there are `regimes`, it is
-    the first of them; `case` is the text of the one it is, and `conditions` are those under which it holds. `meanings` say what
-    letters stand for, where the author does. Where a list has a length that depends on the numbers, `template` has its formulas in
-    the letter of its range, and there is a regime for each length that was met.
+    the first of them; `case` is the text of the one it is, `conditions` are those under which it holds, and `decided_by` the
+    same as stated. `meanings` say what letters stand for, where the author does. Where a list has a length that depends on the
+    numbers, `template` has its formulas in the letter of its range, and there is a regime for each length that was met.
     """
 
     problem: Problem
@@ -232,6 +234,7 @@ class Solution:
     meanings: Mapping[str, str] = field(default_factory=dict[str, str])
     conditions: tuple[Relation, ...] = ()
     template: Solution | None = None
+    decided_by: tuple[Relation, ...] = ()
 
     @cached_property
     def results(self) -> dict[Hashable, Any]:

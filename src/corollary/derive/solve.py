@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -64,7 +65,7 @@ from corollary.derive.statements import (
     Step,
     Supposed,
 )
-from corollary.formula.ast import ONE, Expr, Name, Relation
+from corollary.formula.ast import ONE, Call, Expr, Name, Relation
 from corollary.formula.authored import NotTyped, as_expression
 from corollary.formula.errors import Undefined
 from corollary.formula.from_sympy import NoTree, tree
@@ -265,6 +266,7 @@ class Solver:
         self.known_in_list: dict[int, Known] = {}  # by the line of the step
         self.case, self.line = "", 0
         self.ways: tuple[tuple[Relation, ...], ...] = ()
+        self.decided_by: tuple[Relation, ...] = ()
 
     def in_case(self, branch: Branch, case: Case) -> Solver:
         """The solver that tries only numbers at which the case holds; its condition may speak of what is found before it."""
@@ -281,6 +283,7 @@ class Solver:
             found.case, found.line = case.text, case.line
             found.ways = ways(self.known.in_givens(sympy.sympify(case.condition)))
             found.known = Known(self.problem, found.ways)
+            found.decided_by = _stated(case.condition)
         except ValueError as error:
             raise self.failing(f"the case {case.text!r}: {error}", case.line) from error
         return found
@@ -327,6 +330,7 @@ class Solver:
         return Solution(
             self.problem, tuple(unknowns), choices, examples, proofs, rest, left, case=case, forces=forces,
             always=tuple(claims(entries, self.known, self.failing)), meanings=self.loaded.meanings,
+            decided_by=self.decided_by,
         )  # fmt: skip
 
     def unfit_proof(self, entry: Proof[Law], proof: SolvedProof) -> str:
@@ -463,6 +467,7 @@ class Solver:
             dimensions=dimensions_asked(self.problem, entry.statement.part, local.trees, known),
             scale=None,
             note=note,
+            slope=_slope(entry, goal),
         )
 
     def simulated(self, entry: Simulated) -> Unknown:
@@ -550,6 +555,23 @@ class Solver:
         except ValueError as error:
             sentence = f"what part {entry.statement.part} neglects: {error}"
             raise self.failing(sentence, entry.statement.line) from error
+
+
+def _stated(condition: Boolean | bool) -> tuple[Relation, ...]:
+    """The relations of a case as its author writes them; none where they can hold in several ways."""
+    with suppress(ValueError):
+        return relations(sympy.sympify(condition))
+    return ()
+
+
+def _slope(entry: Optimum, goal: sympy.Expr) -> tuple[Expr, Expr] | None:
+    """The derivative that vanishes at an extremum: of a letter by another, and what it is in givens."""
+    if not isinstance(entry.of, sympy.Symbol):
+        return None
+    with suppress(NoTree, ValueError):
+        slope = simplest(sympy.diff(goal, entry.over))
+        return Call("derivative", (Name(entry.of.name), Name(entry.over.name), ONE)), tree(slope)
+    return None
 
 
 def unforeseen(error: Exception) -> ValueError:

@@ -10,6 +10,8 @@ from dataclasses import replace
 from corollary.answers.option_names import option_named
 from corollary.answers.spellings import main_spelling
 from corollary.answers.ways import in_words
+from corollary.derive.comparisons import decided, way_that_holds
+from corollary.derive.intermediate_units import units_of
 from corollary.derive.introduced_letters import (
     asked_for,
     constants_of_nature,
@@ -17,6 +19,7 @@ from corollary.derive.introduced_letters import (
     found_first,
     introduced,
 )
+from corollary.derive.matrices import is_matrix, matrix_steps
 from corollary.derive.numbers_in_formulas import (
     broken,
     given_numbers,
@@ -188,6 +191,9 @@ def worked_steps(
     lines = [*introduced(steps.values(), problem), *lines, *[""] * bool(lines)]
     if solution.case:
         lines += [_("**Here {case}.**", case=solution.case), ""]
+        lines += decided(
+            solution.decided_by or solution.conditions, _all_values(solution, values, si), solution
+        )
     met = set[str]()
     before: Unknown | None = None
     for place, find in steps.items():
@@ -202,9 +208,10 @@ def worked_steps(
         met |= {*find.names} | names(*(relation for law in find.laws for relation in law.here))
         again = before is not None and find.statement.solved_with(before.statement)
         found = _from_the_same_laws if again else _unknown
-        lines += [heading, "", *letters_here, *found(find, numbers, part, known, si), ""]
+        units = units_of(find, part, numbers, solution)
+        lines += [heading, "", *letters_here, *found(find, numbers, units, part, known, si), ""]
         before = find
-        for name, value, unit in zip(find.names, numbers, _units(find, part), strict=True):
+        for name, value, unit in zip(find.names, numbers, units, strict=True):
             in_formula = si_unit(unit.dimension) if unit.offset else unit  # a temperature in kelvin
             known[name] = quantity(value, in_formula, in_formula=True)
             si[name] = value
@@ -214,7 +221,7 @@ def worked_steps(
         yield formulas_in_convention("\n".join(lines))
         lines = []
     for part in problem.parts:
-        if part.id in asked and (other := _other(solution, part, letters, variant)):
+        if part.id in asked and (other := _other(solution, part, letters, variant, values)):
             lines += [_heading(part), "", *other, ""]
         if lines:
             yield formulas_in_convention("\n".join(lines))
@@ -235,6 +242,7 @@ def _heading(part: Part) -> str:
 def _unknown(
     find: Unknown,
     numbers: tuple[float, ...],
+    units: Sequence[Unit],
     part: Part | None,
     known: Mapping[str, str],
     si: Mapping[str, float],
@@ -250,7 +258,7 @@ def _unknown(
         lines += [find.note.spoken(), ""]
     for reason in find.rejected:
         lines += [_("*Another root of these laws is rejected:* {reason}.", reason=reason.spoken()), ""]
-    lines += _result(find, numbers, part, known, si)
+    lines += _result(find, numbers, units, part, known, si)
     for route in find.routes:
         because, laws = route.stated.because, route.stated.laws
         lines += ["", _("*Another way.* {because}", because=because), "", *(_law(law) + "\n" for law in laws)]
@@ -262,12 +270,13 @@ def _unknown(
 def _from_the_same_laws(
     find: Unknown,
     numbers: tuple[float, ...],
+    units: Sequence[Unit],
     part: Part | None,
     known: Mapping[str, str],
     si: Mapping[str, float],
 ) -> list[str]:
     """What else a system of laws gives, which stand in the step before."""
-    lines = [_("The same laws give this, too."), "", *_result(find, numbers, part, known, si)]
+    lines = [_("The same laws give this, too."), "", *_result(find, numbers, units, part, known, si)]
     if find.statement.check:
         lines += ["", _("*Check:* {check}", check=find.statement.check)]
     return lines
@@ -310,6 +319,7 @@ def _neglected(
         value.stated.name: r"\,".join(_roman(word) for word in value.stated.text.split(" ", 1))
         for value in each.supposing
     }
+    assumed = {value.stated.name: float(value.ratio) for value in each.supposing}
     supposed = "; ".join(f"${letter(name)} = {texts[name]}$: {why}" for name, why in _reasons(each))
     opening = _("*Neglected:* {what}. {because}", what=each.what, because=find.statement.because)
     if supposed:
@@ -318,7 +328,10 @@ def _neglected(
     for law in find.laws:
         lines += [_law(law), ""]
     bracketed = {name: f"({text})" for name, text in texts.items()}
-    lines += _result(replace(find, in_givens=None), (most,), part, {**known, **bracketed}, si)
+    units = part.units_for(len(find.dimensions))
+    lines += _result(
+        replace(find, in_givens=None), (most,), units, part, {**known, **bracketed}, {**si, **assumed}
+    )
     size = (
         _("{percent} % of the answer", percent=in_convention(decimal_text(100 * share, 2)))
         if share
@@ -356,12 +369,23 @@ def _law(law: AppliedLaw) -> str:
 def _result(
     find: Unknown,
     numbers: tuple[float, ...],
+    units: Sequence[Unit],
     part: Part | None,
     known: Mapping[str, str],
     si: Mapping[str, float],
 ) -> list[str]:
+    if part and is_matrix(part) and isinstance(find.local, ClosedForms):
+        forms = [
+            _printed(find.printed, find.local.trees, place, value, si) for place, value in enumerate(numbers)
+        ]
+        return [
+            *(f"$${line}$$" for line in broken(matrix_steps(find.names, forms, numbers, part, units[0]))),
+            "",
+        ]
     lines: list[str] = []
-    for place, (name, value, unit) in enumerate(zip(find.names, numbers, _units(find, part), strict=True)):
+    if find.slope:
+        lines += [f"$${latex(find.slope[0])} = {latex(find.slope[1])} = 0$$", ""]
+    for place, (name, value, unit) in enumerate(zip(find.names, numbers, units, strict=True)):
         exact = part is not None and part.answer_type in ("count", "integer")
         answer = whole_quantity(value, unit) if exact else quantity(value, unit)
         match find.local:
@@ -404,11 +428,6 @@ def _printed(
     return trees[place]
 
 
-def _units(find: Unknown, part: Part | None) -> Sequence[Unit]:
-    """Those that the part asks for; of what nobody asks for, those of the SI."""
-    return part.units_for(len(find.dimensions)) if part else list(map(si_unit, find.dimensions))
-
-
 def _algebra(tree: Expr, in_givens: Expr | None, known: Mapping[str, str]) -> list[str]:
     """What an unknown equals: by earlier unknowns, by givens alone, and with the numbers put in; nothing for a mere number."""
     if isinstance(tree, Number):
@@ -431,13 +450,34 @@ def _degrees(value: float, unit: Unit) -> list[str]:
     return [quantity(value, DEGREES)] if unit == unit_of("rad") else []
 
 
-def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: Variant) -> list[str]:
+def _all_values(
+    solution: Solution, values: Sequence[tuple[float, ...]], si: Mapping[str, float]
+) -> dict[str, float]:
+    """The givens and all that is found, in SI."""
+    found = zip(solution.unknowns, values, strict=False)
+    return {
+        **si,
+        **{name: value for find, each in found for name, value in zip(find.names, each, strict=True)},
+    }
+
+
+def _other(
+    solution: Solution,
+    part: Part,
+    letters: Mapping[str, str],
+    variant: Variant,
+    values: Sequence[tuple[float, ...]] = (),
+) -> list[str]:
     """Choices, examples, proofs, programs and explanations."""
     lines: list[str] = []
     if part.id in solution.choices:
         option = option_named(part, letters.get(part.id, ""))
         stop = "" if option.startswith("(") else "."  # a word and its reason are two sentences
         lines += [f"{f'**{option}**{stop} ' if option else ''}{solution.choices[part.id].statement.because}"]
+        si = _all_values(solution, values, variant.si)
+        way = way_that_holds(solution.choices[part.id].options.get(letters.get(part.id, ""), ()), si)
+        if comparisons := decided(way, si, solution):
+            lines += ["", *comparisons]
     if part.id in solution.forces:
         lines += _forces(solution.forces[part.id], part)
     if part.id in solution.examples:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
@@ -126,11 +126,13 @@ class LetterOrder:
     """The order of letters in products and in sums: that of the author's laws.
 
     What is found takes the place of its letter: friction is μmg because laws say μN and mg. Among letters that no product
-    puts in order, those with fewer before them come first (masses before velocities), then those that laws have first.
+    puts in order, those with fewer before them come first (masses before velocities), then plain numbers, then what laws have first.
     """
 
-    def __init__(self, laws: Iterable[Relation], formulas: Mapping[str, Expr]):
-        """`formulas` are what letters stand for, in others."""
+    def __init__(
+        self, laws: Iterable[Relation], formulas: Mapping[str, Expr], coefficients: Collection[str] = ()
+    ):
+        """`formulas` are what letters stand for, in others; `coefficients` are letters of plain numbers."""
         products: list[Sequence[Expr]] = []
         sums: list[Sequence[Expr]] = []
         above: dict[str, int] = {}
@@ -139,6 +141,8 @@ class LetterOrder:
             for side in (law.right, law.left):
                 _collect(side, products, sums, above, below)
         met = [*above, *(name for name in below if name not in above)]
+        first = [name for name in (*met, *coefficients) if name in coefficients]
+        met = list(dict.fromkeys([*first, *met]))
         inside = {name: names(formula) for name, formula in formulas.items()}
         self._in_products = _ranks(met, _before(products, inside), by_level=True)
         self._in_sums = _ranks(met, _before(sums, inside), by_level=False)
