@@ -128,7 +128,8 @@ class Unknown:
     extremum was found. `where` are the conditions on the root that is meant (None: not relations), `others` the roots that are
     not, `aside` what the laws needed besides, in givens. `printed` and `printed_in_givens` are the formulas as a worked solution prints
     them (empty: not chosen). `slope` is the derivative that vanishes at an extremum, as it is written and worked out.
-    Of a list with an entry for each whole number of a range, `numbering` is that range, and `entries` are its entries for the numbers at hand (none: its formulas have the range's letter in them).
+    Of a list with an entry for each whole number of a range, `numbering` is that range, and
+    `entries` are its entries for the numbers at hand (none: its formulas have the range's letter in them).
     """
 
     statement: Statement
