@@ -399,3 +399,52 @@ def test_rounding_by_more_than_two_per_cent_names_the_tolerance(verified):
 def test_numbers_that_rounding_moves_less_than_the_part_forgives_are_dealt(verified):
     own = ' tolerance="20 %" because="two terms nearly cancel"'
     assert verified(DIFFERENCE, problem=CANCELS.replace("TOLERANCE", own)).complaints == ()
+
+
+MELTING = """\
+---
+code: X1.1
+title: Ice in water
+given:
+  m: {is: mass of the ice, value: 10, from: 5, to: 100, step: 5, unit: g}
+  M: {is: mass of the water, value: 100, unit: g}
+  z: {is: rest, value: 0, unit: g}
+require:
+  - m > 0
+  - M > 0
+---
+Ice of {{m}} swims in water of {{M}}; {{z}} are left.
+
+## Rest {#a .value unit="g"}
+How much more ice than water is there, at least nothing?
+"""
+IN_CASES = """\
+## Case: there is more ice, if `m > M/2`
+
+### (a) x
+
+The difference.
+
+- law: More, `x = 2*m - M`
+
+## Case: there is more water, if `m <= M/2`
+
+### (a) x
+
+Nothing.
+
+- law: Rest, `x = z`
+"""
+
+
+@pytest.mark.parametrize(("scale", "refused"), [("", True), ("- scale: `M`\n", False)])
+def test_a_case_that_no_student_gets_is_a_fault(tmp_path, scale, refused):
+    """An answer of zero is compared with nothing: all draws of its case are refused, until a scale is stated."""
+    for folder, text in (("problems", MELTING), ("solutions", IN_CASES + scale)):
+        (tmp_path / folder / "heat").mkdir(parents=True)
+        (tmp_path / folder / "heat" / "ice.md").write_text(text, encoding="utf-8")
+    found = verify(Bank(tmp_path), find(Bank(tmp_path), "X1.1"), 20).complaints
+    never = [each for each in found if "the case 'there is more water' is never dealt" in each]
+    assert bool(never) == refused, found
+    assert all(each.startswith("solutions/heat/ice.md:9: ") for each in never)
+    assert all("state it in its step, as scale" in each for each in never)

@@ -78,6 +78,7 @@ RIGHT = {  # sentence, question, unit
     "a number of turns": ("It turns.", "How many turns does it make?", "1"),
     "times": ("It is heavier.", "How many times as large is it? Answer in one word: in a number.", "1"),
     "a range": ("Pick anything from 5 to 60, in steps of 1.", "What is the force?", "N"),
+    "a quantity asked for beside a share": ("It fades.", "After what time is {{eta}} of it left?", "s"),
     "a bolt": ("Two M8 bolts of grade 8.8 hold the flange DN 50, see ISO 2768.", "Which load?", "N"),
     "zero": ("At $t = 0$ it is at rest, and $v = 0$; for $t > 10$ nothing is known.", "Which?", "N"),
     "a product": ("HEB 200 of steel S355, T 200, Apollo 10, $^{200}$Hg with mass number 200.", "Which?", "N"),

@@ -136,10 +136,10 @@ def _lines(what: str, total: int | None) -> Callable[[str, int | None], None]:
         nonlocal count, last
         count += 1
         now = time.monotonic()
-        if now - last < EVERY:
+        every = total if left is None else count + left
+        if now - last < EVERY or count == every:
             return
         last = now
-        every = total if left is None else count + left
         out_of = "" if every is None else f" of {every}"
         print(f"{what}: {count}{out_of} ({name})", file=sys.stderr, flush=True)
 

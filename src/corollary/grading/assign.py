@@ -25,6 +25,7 @@ from corollary.units.unit import show
 
 APART = 0.005  # of the length: as much again as the least tolerance, so that a mistake rounded is not right either
 SAME = 1e-9  # relative: doubles of one value by two ways
+LARGEST_WHOLE = 1e9  # beyond it one more is no other number to a tolerance that doubles need
 TRIED = (
     40  # draws besides the printed numbers: a mistake that shows on a tenth of them is missed once in seventy
 )
@@ -92,12 +93,18 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
                 f"part {part}: honest rounding to three figures moves the answer by more than {100 * most:.2g} %",
             )
         if truth.scale == 0 and not truth.counted:
-            return None, f"part {part}: the answer is zero, and nothing says compared with what"
+            return (
+                None,
+                f"part {part}: the answer is zero, and nothing says compared with what: state it in its step, as scale: `v_0`",
+            )
     if same is not None:
         part, one, other = same
         return None, f"part {part}: options {one} and {other} print alike"
     for part, number in not_whole(key):
-        return None, f"part {part}: {number} is not a whole number, and one is asked for"
+        return (
+            None,
+            f"part {part}: {number} is not a whole number below {LARGEST_WHOLE:.0e}, and one is asked for",
+        )
     for part, number in implausible(key):
         return None, f"part {part}: {number} is not plausible"
     for part, text in collisions(key):
@@ -123,7 +130,7 @@ def not_whole(key: Key) -> Iterable[tuple[str, str]]:
     for part in key.variant.problem.parts:
         if part.answer_type == "integer" and part.id in key.truths:
             (value,) = map(part.unit.from_si, key.truths[part.id].values)
-            if not math.isclose(value, round(value), rel_tol=SAME):
+            if abs(value) > LARGEST_WHOLE or not math.isclose(value, round(value), rel_tol=SAME):
                 yield part.id, f"{value:.6g}"
 
 

@@ -31,6 +31,7 @@ from corollary.problem.variant import Variant, chapter, first_broken, number, ro
 from corollary.scenes.plan import followed
 from corollary.scenes.run import BadSetting, GuardFailed, Run, components
 from corollary.units.unit import show
+from corollary.verify.cases_walked import CasesWalked
 from corollary.verify.checked import Tally
 from corollary.verify.rows_walked import keys_of_rows
 from corollary.verify.words.asked_sign import magnitudes_asked, negative_magnitudes
@@ -164,10 +165,11 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
     problem, reasons, met = solution.problem, Counter[str](), 0
     tried, first = list[TriedDraw](), list[Key]()
     right: dict[str, Counter[str]] = {part: Counter() for part in solution.choices}
-    magnitudes = magnitudes_asked(problem)
+    magnitudes, cases = magnitudes_asked(problem), CasesWalked(solution)
     for variant in sample(problem, 20 * count):
         key, reason = admitted(solution, variant)
         tried.append(TriedDraw(variant, key is not None))
+        cases.count(variant, reason)
         if key is None:
             reasons[reason] += 1
             continue
@@ -204,6 +206,8 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
         say(f"{ranges}: {100 * share:.0f} % of the draws may not be assigned ({why}); {how}")
     elif size(problem) > 1 and not met:
         tally.complain(f"{ranges}: no variant keeps all the conditions; widen the ranges, or drop one")
+    for line, sentence in cases.never_dealt(len(tried) == size(problem)):
+        tally.complain(f"{name_in_bank(bank.solution(problem))}:{line}: {sentence}")
     for part, letters in right.items():
         for letter in sorted(solution.choices[part].mistakes.keys() & letters):
             if letters[letter] == met >= MANY:

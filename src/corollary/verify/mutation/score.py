@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -11,6 +12,7 @@ from itertools import islice
 
 from corollary.derive.again import SolvedAgain, differential
 from corollary.derive.applied import applied
+from corollary.derive.given_signs import symbol_of
 from corollary.derive.load import Loaded
 from corollary.derive.one_entry import with_one_entry
 from corollary.derive.simulation import Simulation
@@ -47,6 +49,7 @@ from corollary.formula.plain_text import text
 from corollary.grading.key import Key, make_key
 from corollary.laws.law import Law
 from corollary.problem.diagnostic import name_in_bank
+from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.sampling import sample
 from corollary.scenes.run import Run
@@ -254,11 +257,21 @@ def _special_cases(checks: Checks, spot: MutationSpot) -> Iterator[tuple[str, Mu
     numbers = {given.symbol: spot.letters[given.symbol] for given in givens}
     others = {name: value for name, value in spot.letters.items() if name not in numbers}
     for given in givens:
-        alike = [each for each in givens if each.unit.dimension == given.unit.dimension and each is not given]
-        for word, value in [("0", 0.0), *((each.symbol, numbers[each.symbol]) for each in alike)]:
+        alike = [each for each in givens if each is not given and _comparable(each, given)]
+        nothing = [] if symbol_of(problem, given.symbol).is_positive else [("0", 0.0)]
+        for word, value in [*nothing, *((each.symbol, numbers[each.symbol]) for each in alike)]:
             there = spot_at(others | numbers | {given.symbol: value}, checks.case.every)
             if there is not None:
                 yield f"{given.symbol}={word}", there
+
+
+def _comparable(one: Given, other: Given) -> bool:
+    """Whether an author would set two givens equal: the same quantity of two bodies, times or places, by letter or by words."""
+    if one.unit.dimension != other.unit.dimension:
+        return False
+    stems = [re.sub(r"[_\d].*|[A-Z]?$", "", each.symbol) or each.symbol for each in (one, other)]
+    words = [set(re.findall(r"[^\W\d_]{4,}", each.meaning.casefold())) for each in (one, other)]
+    return stems[0].casefold() == stems[1].casefold() or bool(words[0] & words[1])
 
 
 def _at(

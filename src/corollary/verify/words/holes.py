@@ -34,6 +34,10 @@ QUANTITIES = {
     "Pa": "pressure Druck trykk trykket",
     "W": "power Leistung effekt effekten",
 }
+ASKED = re.compile(
+    r"\b(?:what|which|welche\w?|hvilke[nt]?) (?:[^\W\d_]+ )?(?:is|are|ist|sind|er) $", re.IGNORECASE
+)
+"""`After what time is {{p}} left?` asks for a time, and says nothing of the hole."""
 BEFORE = re.compile(r"(?P<noun>[^\W\d_]{3,})(?: of| von| på| is| er| ist)?(?: about)? $")
 
 
@@ -88,7 +92,7 @@ def _wrong_quantity(text: str, given: Given, before: str, givens: dict[str, Give
 
 def _noun(before: str) -> str:
     found = BEFORE.search(before)
-    return found["noun"] if found is not None else ""
+    return found["noun"] if found is not None and not ASKED.search(before) else ""
 
 
 def _unit_behind(text: str, found: re.Match[str], given: Given) -> str:
