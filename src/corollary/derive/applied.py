@@ -62,8 +62,10 @@ def _in_question(stated: str) -> AppliedLaw:
 
 
 def untrue_given(proof: SolvedProof, known: Known) -> str:
-    """What is wrong with an equation that is given, or "". It sets a letter that has no value, or it holds for what is given and found."""
+    """What is wrong with an equation that is given, or "". It sets a letter that has no value, or a given for this part alone (equal
+    masses, m_B = m_A), or it holds for what is given and found."""
     letters = {each.name: each for each in (*known.letters, *known.aside)}
+    givens = {symbol.name for symbol, formula in known.formulas.items() if symbol == formula}
     set_before = set[str]()
     for equation in (equation for law in proof.given for equation in law.here):
         strange = sorted(names(equation) - letters.keys() - set_before - {"pi"})
@@ -74,6 +76,8 @@ def untrue_given(proof: SolvedProof, known: Known) -> str:
                 f"{text(equation)} is given, and {strange[0]} is neither given nor found; find it in a step, "
                 f"or set it by an equation with {strange[0]} alone on its left"
             )
+        elif isinstance(equation.left, Name) and equation.left.name in givens:
+            set_before.add(equation.left.name)
         elif not set_before & names(equation):
             same = compared(expression(equation.left, letters), expression(equation.right, letters), known)
             if not same.holds:

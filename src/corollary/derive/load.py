@@ -251,16 +251,22 @@ def _in_scenes(name: str) -> str:
     return ""
 
 
+AUTHOR_WORDS = "author", "laws", "misconceptions"
+"""The modules of Corollary that authors take words from."""
+
+
 def _home_of(name: str) -> str:
     """The module that an author takes this name from; "" where none of the usual ones has it."""
-    import sympy
-
-    import corollary.author
-    import corollary.laws
-    import corollary.misconceptions
-
-    homes = (corollary.author, corollary.laws, corollary.misconceptions, sympy)
-    return next((home.__name__ for home in homes if hasattr(home, name)), "")
+    top = Path(__file__).parents[1]
+    for word in AUTHOR_WORDS:
+        files = [top / f"{word}.py", *sorted((top / word).glob("*.py"))]
+        texts = (path.read_text(encoding="utf-8") for path in files if path.is_file())
+        if any(
+            re.search(rf"^(?:def {name}\(|from \S+ import .*\bas {name}$)", text, re.MULTILINE)
+            for text in texts
+        ):
+            return f"corollary.{word}"
+    return "sympy" if name in vars(importlib.import_module("sympy")) else ""
 
 
 def _remedy(error: BaseException) -> str:

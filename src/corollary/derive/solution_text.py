@@ -276,6 +276,8 @@ class SolutionReader:
             begin = f"begin it with one of: {', '.join(f'{word}:' for word in words)}"
             if options:
                 begin += ", (a) is right, (b) is wrong"
+            if item.key in ALLOWED["letters"]:
+                begin = f"move {item.key}: above the first heading"
             word = item.key or item.text.partition(":")[0].partition(" ")[0]
             raise MarkdownError(
                 item.line,

@@ -1,4 +1,4 @@
-"""Draws by the case of the solution that they belong to: a case of which no draw may be assigned is one that no student gets."""
+"""Draws by the case of the solution that they belong to, and cases of which no draw may be assigned."""
 
 from __future__ import annotations
 

@@ -72,6 +72,8 @@ def missing(one: QuestionText) -> Iterator[tuple[Part | Given, str]]:
     for given in problem.givens:
         if given.source or given.symbol in graphed:
             continue  # a constant of nature is looked up, and what a graph shows is read off it
+        if given.value == given.grid.first == given.grid.last == 1:
+            continue  # the unit itself, by which a logarithm's argument is divided
         if not given.words and given.table in named:
             continue  # the words of its row stand there, which name it
         naming = [filled(text, variant) for hole, text in every if given.symbol in hole.letters]

@@ -154,8 +154,8 @@ def _unknown_letters(solution: Solution) -> Iterator[tuple[int, str]]:
     for line, letter in dict.fromkeys(found for each in every for found in unexplained(each)):
         yield (
             line,
-            f"{letter} has no meaning for the reader; say in the heading what it stands for, ## {letter}: … "
-            f'(in Python where it is named, unknowns({letter}="…"))',
+            f"{letter} has no meaning for the reader; say what it stands for in the heading that finds it, ## {letter}: …, or above the "
+            f'first heading where it is named, such as variable: `{letter}` … (in Python unknowns({letter}="…"))',
         )
 
 

@@ -108,6 +108,11 @@ def sufficient(grounds: Grounds) -> tuple[frozenset[int], ...]:
     return tuple(found)
 
 
+def _proportional(one: Polynomial, other: Polynomial) -> bool:
+    """Whether one is the other times a number."""
+    return len(one) == len(other) > 0 and one * other.coeffs()[0] == other * one.coeffs()[0]
+
+
 class _Reader:
     """The steps as polynomials, in the order in which they stand."""
 
@@ -208,6 +213,9 @@ class _Reader:
             if self.base.contains(polynomial):
                 return Standing("empty")
             claims = self.equivalent(polynomial, self.target)
+            if claims and self._above.contains(polynomial):
+                return Standing("follows", claims=True)
+            claims = claims and not self._is_a_law_alone(polynomial)
             for place, law in enumerate(self.laws):
                 if self.equivalent(polynomial, law):
                     self._note(step.relation)
@@ -269,6 +277,12 @@ class _Reader:
         """Whether this is the law with letters replaced by what the lines above say they are."""
         whole = in_full(relation, self._meaning)
         return whole is not None and has_form_of(whole, law, self._same(self._above), self._nonzero)
+
+    def _is_a_law_alone(self, polynomial: Polynomial) -> bool:
+        """Whether this is a law, and the claim only times a factor that is never zero: m g h = m v^2/2 where v^2 = 2 g h is to be shown."""
+        return not _proportional(polynomial, self.target) and any(
+            _proportional(polynomial, law) for law in self.laws
+        )
 
     def _repeats_target(self, relation: Relation) -> bool:
         whole = in_full(relation, self._meaning)
