@@ -81,7 +81,7 @@ def _unit(relation: Relation, dimensions: Mapping[str, Dimension], solution: Sol
     problem = solution.problem
     units: list[Unit] = [unit for part in problem.parts for unit in part.units]
     units += [given.unit for given in problem.givens]
-    plain = si_unit(dimension)
+    standard = si_unit(dimension)
     if dimension == Dimension():
-        return plain
-    return next((each for each in units if each.dimension == dimension and not each.offset), plain)
+        return standard
+    return next((each for each in units if each.dimension == dimension and not each.offset), standard)

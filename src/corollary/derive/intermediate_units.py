@@ -42,12 +42,12 @@ def units_of(
 
 
 def _readable(find: Unknown, dimension: Dimension, value: float, problem: Problem) -> Unit:
-    plain = si_unit(dimension)
+    standard = si_unit(dimension)
     if dimension == Dimension():
-        return plain
+        return standard
     low, high = READABLE
     found = (each for each in _candidates(find, dimension, problem) if low <= abs(each.from_si(value)) < high)
-    return next(found, plain) if value else plain
+    return next(found, standard) if value else standard
 
 
 def _candidates(find: Unknown, dimension: Dimension, problem: Problem) -> Iterator[Unit]:
