@@ -142,10 +142,8 @@ class Forms:
                 for form in dict.fromkeys(_forms(start)):
                     with suppress(NoTree):
                         found.append(self.layout.set(self._inside(tree(form))))
-        lettered = [
-            each for each in dict.fromkeys(found) if names(each)
-        ]  # a step function is more than its value here
-        return min(lettered, key=self.layout.total) if lettered else formula
+        best = min(dict.fromkeys(found), key=self.layout.total)
+        return best if names(best) else formula  # a step function is more than its value here
 
     def _inside(self, formula: Expr) -> Expr:
         """The formula with the best form of what stands in its functions, roots among them."""
