@@ -46,7 +46,7 @@ def test_every_page_has_a_kind():
 
 
 VERB = re.compile(
-    "(Accept|Ask|Audit|Choose|Collect|Complete|Compose|Confirm|Connect|Correct|Distinguish|Export|Give|Grade|Make|Mark|Practise|Print"
+    "(Accept|Add|Ask|Audit|Choose|Collect|Complete|Compose|Confirm|Connect|Correct|Distinguish|Export|Give|Grade|Make|Mark|Practise|Print"
     "|Read|See|Share|Show|State|Translate|Use|Verify|Work|Write)\\b"
 )
 
@@ -144,7 +144,7 @@ QUESTIONS = [
     ("assistant", "what does follows mean verdict", "reference/verdicts.md", "Verdicts"),
     ("assistant", "answer typed wrong but right accept all", "howto/accept_misread_answers.md", "Accept misread answers"),
     ("assistant", "student says my answer is right", "assistant.md", "When a student asks"),
-    ("author", "write my first problem", "tutorial/first_problem.md", "Your first problem"),
+    ("author", "write my first problem", "tutorial/first_problem.md", "Write your first problem"),
     ("author", "differential equation", "howto/use_functions_of_time.md", "What can be solved"),
     ("author", "tolerance of a part", "reference/problem_file.md", "Parts"),
     ("author", "translate problem German", "howto/translate_a_problem.md", "Translate a problem"),

@@ -40,7 +40,8 @@ class Statement:
     def __post_init__(self) -> None:
         for name, words in (("the part", self.part), ("because", self.because), ("check", self.check)):
             if not isinstance(words, str):  # pyright: ignore[reportUnnecessaryIsInstance]
-                what = repr(words) if type(words) in (int, float, list) else f"a {type(words).__name__}"
+                written = repr(words)
+                what = f"a {type(words).__name__}" if len(written) > 40 or "<" in written[:1] else written
                 raise TypeError(f"{name} is a text for the reader, not {what}; write it in quotation marks")
 
     def solved_with(self, other: Statement) -> bool:
