@@ -18,7 +18,7 @@ ALSO = {
     ("angle", "de"): ["bogenmaß"], ("equation", "de"): ["gleichheitszeichen"], ("equation", "nb"): ["likhetstegn"],
     ("force", "de"): ["kräft"], ("force", "nb"): ["kreft"], ("formula", "nb"): ["formler"], ("impulse", "de"): ["kraftstöße"],
     ("momentum", "nb"): ["spinn"], ("points", "de"): ["punkt"], ("significant figures", "de"): ["geltende"],
-    ("worked solution", "nb"): ["løsning"],
+    ("points", "nb"): ["punkt"], ("worked solution", "nb"): ["løsning"],
 }  # fmt: skip
 # Other meanings: letters that are characters, signs of a product, a force that points, decimal points, friction by its name.
 OTHERWISE = re.compile(

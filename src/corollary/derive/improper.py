@@ -7,7 +7,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
 import sympy
 
 ENDS = 80.0
@@ -60,6 +59,8 @@ def by_quadrature(node: sympy.Integral) -> float:
 
 def _towards(integrand: Callable[[Any], Any], start: float, way: float) -> float:
     """From the start to infinity on one side (Gauss and Legendre on panels of u)."""
+    import numpy as np  # only here: other problems are solved without it
+
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     edges = np.linspace(-ENDS, ENDS, PANELS + 1)
     half = (edges[1] - edges[0]) / 2
