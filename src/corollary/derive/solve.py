@@ -69,6 +69,7 @@ from corollary.formula.ast import ONE, Call, Expr, Name, Relation
 from corollary.formula.authored import NotTyped, as_expression
 from corollary.formula.errors import Undefined
 from corollary.formula.from_sympy import NoTree, tree
+from corollary.formula.latex import letters_printed
 from corollary.laws.law import Law, sides, substitute
 from corollary.problem.bank import Bank, bank_of
 from corollary.problem.part import Part
@@ -209,8 +210,9 @@ def solve(bank: Bank, problem: Problem) -> Solution:
 def solved_derivation(bank: Bank, problem: Problem) -> SolvedDerivation:
     """The same with what it was found from. Raises NotDerivable."""
     loaded = load(bank, problem)
-    found = tuple(solvers(problem, loaded))
-    return SolvedDerivation(loaded, found, with_presentation(_of_all_cases(found)))
+    with letters_printed(dict(problem.shown)):  # in the sentences on what was found
+        found = tuple(solvers(problem, loaded))
+        return SolvedDerivation(loaded, found, with_presentation(_of_all_cases(found)))
 
 
 def _of_all_cases(found: Sequence[Solver]) -> Solution:

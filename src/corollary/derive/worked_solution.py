@@ -45,7 +45,7 @@ from corollary.formula.arithmetics import DOUBLES, ready
 from corollary.formula.ast import Expr, Name, Number, Relation, names
 from corollary.formula.ball import certified
 from corollary.formula.errors import NotAvailable
-from corollary.formula.latex import latex, letter, vector
+from corollary.formula.latex import latex, letter, letters_printed, vector
 from corollary.formula.layout import cost
 from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
@@ -181,9 +181,20 @@ def worked_steps(
     values: Sequence[tuple[float, ...]],
     letters: Mapping[str, str],
     neglected: Sequence[tuple[float, float]],
-) -> Iterator[str]:
+) -> Sequence[str]:
     """The same step by step: what is found, one after the other, and then what needs no finding. Of parts that the variant does
     not ask there is only what the others need."""
+    with letters_printed(dict(solution.problem.shown)):
+        return tuple(_steps(solution, variant, values, letters, neglected))
+
+
+def _steps(
+    solution: Solution,
+    variant: Variant,
+    values: Sequence[tuple[float, ...]],
+    letters: Mapping[str, str],
+    neglected: Sequence[tuple[float, float]],
+) -> Iterator[str]:
     problem, asked = in_language(solution.problem), {part.id for part in variant.problem.parts}
     steps = asked_steps(solution, asked)
     known, si = given_numbers(variant), dict(variant.si)
@@ -232,7 +243,8 @@ def model_answer(solution: Solution, part: Part, letters: Mapping[str, str], var
     """What answers a part that asks for no quantity: an option with its reason, a proof, a program, an explanation with its rubric.
 
     Markdown; empty for a part that asks for a quantity."""
-    return formulas_in_convention("\n".join(_other(solution, part, letters, variant)).strip())
+    with letters_printed(dict(solution.problem.shown)):
+        return formulas_in_convention("\n".join(_other(solution, part, letters, variant)).strip())
 
 
 def _heading(part: Part) -> str:

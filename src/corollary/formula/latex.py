@@ -3,7 +3,9 @@ r"""Formulas as TeX sets them, their form kept: `m*v_A0/dt` becomes a fraction w
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Generator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from fractions import Fraction
 from typing import assert_never
 
@@ -11,6 +13,7 @@ from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Pro
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.numerals import decimal_text
 from corollary.formula.operators import OPERATORS
+from corollary.formula.symbols import GREEK as GREEK_SIGNS
 from corollary.formula.symbols import LAMBDA, WORDS
 
 COMPARE, ADD, TIMES, RAISE, ATOM = range(5)  # how tightly a formula holds together
@@ -23,6 +26,41 @@ IN_LATEX = {
 SIGNS = {"=": "=", "!=": r"\neq", "<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq"}
 DEGREE = r"{}^{\circ}"
 NO_LETTERS: Mapping[str, str] = {}
+_PRINTED: ContextVar[Mapping[str, str]] = ContextVar("printed letters", default=NO_LETTERS)
+AS_TYPED = re.compile(r"(?P<change>[Δ∆])?(?P<head>[^\W\d_]+)(?:_(?P<index>\w+)|(?P<number>\d+))?")
+
+
+@contextmanager
+def letters_printed(as_tex: Mapping[str, str]) -> Generator[None]:
+    """Inside, these letters of a problem are set in this TeX, and all others by rule."""
+    before = _PRINTED.set(as_tex)
+    try:
+        yield
+    finally:
+        _PRINTED.reset(before)
+
+
+def tex_of_letter(text: str) -> str:
+    r"""The TeX of a letter as an author types it: `pH` is \mathrm{pH}, `Δv` is \Delta v, `pK_a` is \mathrm{pK}_{a}; what has a backslash is
+    TeX already. Raises ValueError with a sentence for what is no letter."""
+    if "\\" in text:
+        if text.count("{") != text.count("}") or set(text) & set("$#%&~\n"):
+            raise ValueError(f"{text!r} is not TeX of one letter; write it as pH, Δv, pK_a or \\mathrm{{pH}}")
+        return text
+    found = AS_TYPED.fullmatch(text)
+    if found is None:
+        raise ValueError(f"{text!r} is not a letter; write it as pH, Δv, pK_a or \\mathrm{{pH}}")
+    index = found["index"] or found["number"] or ""
+    head = _upright(found["head"]) + (f"_{{{_upright(index)}}}" if index else "")
+    return rf"\Delta {head}" if found["change"] else head
+
+
+def _upright(word: str) -> str:
+    """One letter as it is, a Greek one by its name; several upright."""
+    if len(word) == 1:
+        name = GREEK_SIGNS.get(word)
+        return word if name is None else IN_LATEX.get(name, f"\\{name}")
+    return word if word.isdecimal() else rf"\mathrm{{{word}}}"
 
 
 def latex(tree: Expr, letters: Mapping[str, str] = NO_LETTERS) -> str:
@@ -31,7 +69,9 @@ def latex(tree: Expr, letters: Mapping[str, str] = NO_LETTERS) -> str:
 
 
 def letter(name: str) -> str:
-    r"""One letter of a formula by rule: `v_A0` and `vA0` are v_{A,0}, `dt` is \Delta t, `mu` is \mu, `mdot` is \dot{m}."""
+    r"""One letter of a formula, as its author wants it printed, else by rule: `v_A0` and `vA0` are v_{A,0}, `dt` is \Delta t, `mu` is \mu, `mdot` is \dot{m}."""
+    if (own := _PRINTED.get().get(name)) is not None:
+        return own
     if name.endswith("dot") and len(name) > 3:
         return rf"\dot{{{letter(name[:-3])}}}"
     change = re.fullmatch(r"(?:d(?=[A-Za-z])|Delta_?)(?!elta)(.+)", name)

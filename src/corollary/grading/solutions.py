@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -21,7 +21,7 @@ from corollary.problem.translation import text_in_language
 from corollary.problem.variant import Variant
 
 
-def worked_steps_of(key: Key) -> Iterator[str]:
+def worked_steps_of(key: Key) -> Sequence[str]:
     """The worked solution of a variant as Markdown, step by step."""
     left_out = [(each.most, each.share) for each in neglects(key)]
     return worked_steps(key.solution, key.variant, key.values, key.choices, left_out)

@@ -16,7 +16,7 @@ from corollary.answers.evaluation import as_exact
 from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
 from corollary.formula.ast import Expr, Name, Number, names
 from corollary.formula.ball import Undefined, certified
-from corollary.formula.latex import latex, letter, vector
+from corollary.formula.latex import latex, letter, letters_printed, vector
 from corollary.grading.advice import advice_for
 from corollary.grading.key import Key
 from corollary.grading.replay import letters_of, steps_to
@@ -118,9 +118,11 @@ def remaining(solution: Solution, asked: Unknown, right: Set[str]) -> Remaining:
 def _hints(key: Key, part: Part, left: Remaining | None) -> tuple[str, ...]:
     own = (part.hint,) if part.hint else ()
     if left is not None:
-        return tuple(dict.fromkeys((*own, *_of_steps(key, left))))
+        with letters_printed(dict(key.variant.problem.shown)):
+            return tuple(dict.fromkeys((*own, *_of_steps(key, left))))
     if laws := _laws_of(key.solution, part.id):
-        return (*own, *_of_laws(laws, ()))
+        with letters_printed(dict(key.variant.problem.shown)):
+            return (*own, *_of_laws(laws, ()))
     thought = advice_for(key, part, None)
     return (*own, thought) if thought else own
 

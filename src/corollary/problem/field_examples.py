@@ -15,6 +15,7 @@ FIELDS: Mapping[str, str] = {
     "where": "where: abs(v - w) > v/5",
     "figure": "figure: |",
     "alt": "alt: A box on the floor.",
+    "shown": "shown: {pH: pH, dv: Δv}",
     "meant": "meant: [50 km/h]",
     "difficulty": "difficulty: 2",
     "tags": "tags: [momentum, collision]",

@@ -8,6 +8,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from corollary.formula.ast import ZERO, Name, Relation
+from corollary.formula.latex import tex_of_letter
 from corollary.messages import did_you_mean
 from corollary.problem.conditions import relations
 from corollary.problem.diagnostic import Diagnostic, Malformed
@@ -93,7 +94,7 @@ def read_problem(path: Path) -> Problem:
     ]
     (figure, figure_line), (alt, alt_line) = front.line_of("figure", ""), front.line_of("alt", "")
     description = _description(front)
-    meant = _meant(front)
+    meant, printed = _meant(front), _printed_letters(front)
     front.finish()
     node = table.entries.get("figure")
     first_line = figure_line + (node.block if isinstance(node, TextNode) else 0)
@@ -153,6 +154,7 @@ def read_problem(path: Path) -> Problem:
         description=description,
         expected=expected,
         meant=meant,
+        shown=printed,
     )
 
 
@@ -179,6 +181,19 @@ def _meant(front: Reader) -> tuple[str, ...]:
             found.append(node.text.strip())
         else:
             front.complain(node.line, "meant: lists numbers as they stand in the words: meant: [50 km/h, 12]")
+    return tuple(found)
+
+
+def _printed_letters(front: Reader) -> tuple[tuple[str, str], ...]:
+    """Letters with the TeX they are printed in."""
+    found: list[tuple[str, str]] = []
+    for name, node in front.table_of("shown").entries.items():
+        try:
+            if not isinstance(node, TextNode):
+                raise ValueError("write one letter for each name: shown: {pH: pH, dv: Δv}")
+            found.append((name, tex_of_letter(node.text.strip())))
+        except ValueError as error:
+            front.complain(node.line, f"shown: {name}: {error}")
     return tuple(found)
 
 

@@ -96,6 +96,11 @@ def schema() -> dict[str, Any]:
                 "description": "A line for each thing in it; or SVG, with holes such as {{m}}.",
             },
             "alt": {"type": "string", "description": "The figure in words."},
+            "shown": {
+                "type": "object",
+                "additionalProperties": {"type": "string"},
+                "description": "How letters of givens and unknowns are printed: pH, Δv, pK_a, or TeX.",
+            },
             "meant": {
                 **texts,
                 "description": "Numbers in the words that are the same for everybody, as they stand there.",

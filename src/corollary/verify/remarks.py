@@ -106,7 +106,7 @@ def remark(bank: Bank, solution: Solution, key: Key, tally: Tally) -> None:
         tally.note(
             f"{file}:1: {picture.name} is in its folder, and no problem shows it: show it, or delete it"
         )
-    for line, sentence in (*_outside(solution.problem), *_unused(solution)):
+    for line, sentence in (*_outside(solution.problem), *_unused(solution), *_printed_unused(solution)):
         tally.note(f"{file}:{line}: {sentence}")
     for line, sentence in (*_few(key.solution), *_alike(key), *_unknown_letters(solution)):
         tally.note(f"{path}:{line}: {sentence}")
@@ -122,6 +122,19 @@ def _outside(problem: Problem) -> Iterator[tuple[int, str]]:
                 given.line,
                 f"value: {value} of {given.symbol} is outside from: {low} to: {high}; no student gets it",
             )
+
+
+def _printed_unused(solution: Solution) -> Iterator[tuple[int, str]]:
+    """Letters under `shown:` that stand nowhere."""
+    problem, every = solution.problem, [each.solution for each in solution.regimes] or [solution]
+    known = {given.symbol for given in problem.givens} | solution.meanings.keys()
+    for find in (find for each in every for find in each.unknowns):
+        known |= {*find.names} | {
+            name for law in find.laws for one in (*law.here, law.textbook) for name in names(one)
+        }
+    for name, _tex in problem.shown:
+        if name not in known:
+            yield 1, f"shown: {name} is no letter of the problem or its solution; correct it, or leave it out"
 
 
 def _unused(solution: Solution) -> Iterator[tuple[int, str]]:

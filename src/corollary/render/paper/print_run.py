@@ -12,7 +12,7 @@ from corollary.answers.registry import answer_type
 from corollary.derive.numbers_in_formulas import given_numbers, quantity
 from corollary.derive.solution import AppliedLaw, Solution
 from corollary.formula.ast import Name, Number, names
-from corollary.formula.latex import latex, letter, vector
+from corollary.formula.latex import latex, letter, letters_printed, vector
 from corollary.formula.numerals import decimal_text
 from corollary.grading.key import Key
 from corollary.grading.marking_scheme import CarriedAnswer, PartScheme, marking_scheme
@@ -90,6 +90,11 @@ def typst_key(paper: PaperSheet, keys: Mapping[str, Key], solutions: Mapping[str
 
 def typst_exercise_key(exercise: Exercise, key: Key, scheme: Scheme, weight: float) -> str:
     """The numbers of one exercise, and how each of its parts is marked."""
+    with letters_printed(dict(exercise.problem.shown)):
+        return _exercise_key(exercise, key, scheme, weight)
+
+
+def _exercise_key(exercise: Exercise, key: Key, scheme: Scheme, weight: float) -> str:
     problem = exercise.problem
     total = points_earned(sum(prompt.out_of for prompt in exercise.prompts))
     givens = ", ".join(
