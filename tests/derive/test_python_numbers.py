@@ -98,7 +98,6 @@ WHERE = 'return derivation(step(p, "Square.", law("Square", "p^2 = m^2*v^2"), an
         (STEP.format("__import__('math').sqrt(m)"), "take sqrt, sin, exp, pi and the like from sympy"),
         (STEP.format("__import__('numpy').sqrt(m)"), "take sqrt, sin, exp, pi and the like from sympy"),
         (STEP.format("max(m, v)"), "write Max and Min for max and min"),
-        (STEP.format("m // v"), "cannot be written as a formula"),
         (STEP.format("m % v"), "cannot be written as a formula"),
         (CASES.format(light="t/1.2 <= v", heavy="t/1.2 > v").strip(), "write Rational(5, 6)"),
         (WHERE.format("p > 0.1/3"), "write Rational(1, 30)"),

@@ -57,6 +57,7 @@ ELSEWHERE = {
     "howto/compose_a_scene.md",
     "howto/audit_an_answer_key.md",
     "howto/add_an_answer_type.md",
+    "howto/write_in_the_browser.md",
 }  # tests of their own
 NOT_RUN = {
     r"--reveal": "needs a set with `reveal: by hand` (tests/cli)",

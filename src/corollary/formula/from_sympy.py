@@ -56,9 +56,9 @@ def tree(expr: sympy.Expr) -> Expr:
             above, below = COFUNCTIONS[called]
             (argument,) = expr.args
             return Quotient(tree(above(argument)) if above else Number(Fraction(1)), tree(below(argument)))
-    if expr in (sympy.oo, -sympy.oo, sympy.zoo, sympy.nan):
+    if expr in (sympy.zoo, sympy.nan):
         raise NoTree(
-            "it divides by zero, or grows beyond all bounds, for every value of the givens; correct the law"
+            "it divides by zero for every value of the givens; correct the law"
         )
     raise NoTree(f"{expr} cannot be written as a formula ({type(expr).__name__})")
 
