@@ -184,7 +184,7 @@ def worked_steps(
 ) -> Sequence[str]:
     """The same step by step: what is found, one after the other, and then what needs no finding. Of parts that the variant does
     not ask there is only what the others need."""
-    with letters_printed(dict(solution.problem.shown)):
+    with letters_printed(dict(solution.problem.printed_letters)):
         return tuple(_steps(solution, variant, values, letters, neglected))
 
 
@@ -243,7 +243,7 @@ def model_answer(solution: Solution, part: Part, letters: Mapping[str, str], var
     """What answers a part that asks for no quantity: an option with its reason, a proof, a program, an explanation with its rubric.
 
     Markdown; empty for a part that asks for a quantity."""
-    with letters_printed(dict(solution.problem.shown)):
+    with letters_printed(dict(solution.problem.printed_letters)):
         return formulas_in_convention("\n".join(_other(solution, part, letters, variant)).strip())
 
 

@@ -57,9 +57,7 @@ def tree(expr: sympy.Expr) -> Expr:
             (argument,) = expr.args
             return Quotient(tree(above(argument)) if above else Number(Fraction(1)), tree(below(argument)))
     if expr in (sympy.zoo, sympy.nan):
-        raise NoTree(
-            "it divides by zero for every value of the givens; correct the law"
-        )
+        raise NoTree("it divides by zero for every value of the givens; correct the law")
     raise NoTree(f"{expr} cannot be written as a formula ({type(expr).__name__})")
 
 

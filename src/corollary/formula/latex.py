@@ -13,12 +13,11 @@ from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Pro
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.numerals import decimal_text
 from corollary.formula.operators import OPERATORS
-from corollary.formula.symbols import GREEK as GREEK_SIGNS
-from corollary.formula.symbols import LAMBDA, WORDS
+from corollary.formula.symbols import GREEK, LAMBDA, WORDS
 
 COMPARE, ADD, TIMES, RAISE, ATOM = range(5)  # how tightly a formula holds together
 
-GREEK = re.compile("|".join((*WORDS, "pi", "eps", LAMBDA)))
+GREEK_WORD = re.compile("|".join((*WORDS, "pi", "eps", LAMBDA)))
 INDEX = re.compile(r"[0-9]+|[A-Z](?=[xyz]?(?![a-z]))|[xyz](?![a-z])|[A-Za-z][a-z]*")
 IN_LATEX = {
     "eps": r"\varepsilon", "epsilon": r"\varepsilon", "phi": r"\varphi", "lam": r"\lambda", "lamda": r"\lambda",
@@ -58,7 +57,7 @@ def tex_of_letter(text: str) -> str:
 def _upright(word: str) -> str:
     """One letter as it is, a Greek one by its name; several upright."""
     if len(word) == 1:
-        name = GREEK_SIGNS.get(word)
+        name = GREEK.get(word)
         return word if name is None else IN_LATEX.get(name, f"\\{name}")
     return word if word.isdecimal() else rf"\mathrm{{{word}}}"
 
@@ -77,7 +76,7 @@ def letter(name: str) -> str:
     change = re.fullmatch(r"(?:d(?=[A-Za-z])|Delta_?)(?!elta)(.+)", name)
     if change:
         return rf"\Delta {letter(change[1])}"
-    greek = GREEK.match(name)
+    greek = GREEK_WORD.match(name)
     head, rest = (greek[0], name[greek.end() :]) if greek else (name[:1], name[1:])
     head = IN_LATEX.get(head, "\\" + head) if greek else head
     indices = [

@@ -37,7 +37,7 @@ class Problem:
     """`written` is what its file has today, where this is the problem as it was handed out to somebody; `renamed` are then the
     letters of givens that are called otherwise today: the one of today, and the one of the sheet. `expected` has the answers that
     the author expects, as typed, by part: beside the parts and not in them, for what is made of a part is handed out. `meant` are
-    numbers in the words that are the same for everybody, though they look like those of a given. `shown` has the TeX of letters, of
+    numbers in the words that are the same for everybody, though they look like those of a given. `printed_letters` has the TeX of letters, of
     givens and unknowns, that are not printed by rule."""
 
     code: str
@@ -58,7 +58,7 @@ class Problem:
     description: Description = Description()
     expected: tuple[tuple[str, str], ...] = ()
     meant: tuple[str, ...] = ()
-    shown: tuple[tuple[str, str], ...] = ()
+    printed_letters: tuple[tuple[str, str], ...] = ()
 
     @property
     def as_written(self) -> Problem:

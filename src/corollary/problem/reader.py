@@ -154,7 +154,7 @@ def read_problem(path: Path) -> Problem:
         description=description,
         expected=expected,
         meant=meant,
-        shown=printed,
+        printed_letters=printed,
     )
 
 

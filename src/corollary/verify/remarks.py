@@ -132,7 +132,7 @@ def _printed_unused(solution: Solution) -> Iterator[tuple[int, str]]:
         known |= {*find.names} | {
             name for law in find.laws for one in (*law.here, law.textbook) for name in names(one)
         }
-    for name, _tex in problem.shown:
+    for name, _tex in problem.printed_letters:
         if name not in known:
             yield 1, f"shown: {name} is no letter of the problem or its solution; correct it, or leave it out"
 
