@@ -80,6 +80,8 @@ def test_every_problem_has_its_page(site: Path):
         page = (site / "gallery" / f"{problem.code}.html").read_text(encoding="utf-8")
         assert problem.title in html.unescape(page)
         assert "Worked solution" in page
+        source = html.unescape((site / "gallery" / f"{problem.code}_source.html").read_text(encoding="utf-8"))
+        assert f"code: {problem.code}" in re.sub(r"<[^>]+>", "", source)
     banks = TOP / "examples" / "banks"
     others = [
         path
@@ -87,7 +89,7 @@ def test_every_problem_has_its_page(site: Path):
         if "." not in path.stem and path.parent.name != "sets"
     ]
     assert len(others) > 60
-    assert len(list((site / "gallery").glob("*.html"))) == 40 + len(others)
+    assert len(list((site / "gallery").glob("*.html"))) == 2 * (40 + len(others))  # each with its source
 
 
 def test_every_link_leads_somewhere(site: Path, pages: dict[Path, Addresses]):
