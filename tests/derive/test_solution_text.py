@@ -352,3 +352,13 @@ def test_lines_in_any_order_raise_nothing_but_a_sentence(
     place = bank(tmp_path_factory.mktemp("any"), ".md", "\n".join(lines), SOLVED)
     with suppress(NotDerivable):
         load(place, find(place, "T1.1"))
+
+
+def test_a_byte_that_is_no_utf8_is_named_with_its_line(tmp_path: Path):
+    place = bank(tmp_path, ".md", SHORT, SOLVED)
+    path = find(place, "T1.1").path
+    solution = place.solution_beside(path)
+    solution.write_bytes(SHORT.encode().replace(b"Friction.", b"Reibungskr\xe4fte."))
+    with pytest.raises(NotDerivable) as fault:
+        load(place, find(place, "T1.1"))
+    assert (fault.value.line, fault.value.sentence[:26]) == (9, "is not in UTF-8 (byte 0xe4")

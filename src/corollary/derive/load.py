@@ -27,6 +27,7 @@ from corollary.derive.time_limit import TooLong, keyboard, no_way_out, time_limi
 from corollary.guard import Overtime, failure_of
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank
 from corollary.problem.diagnostic import name_in_bank
+from corollary.problem.front_matter import not_utf8
 from corollary.problem.problem import Problem
 
 AUTHOR_S, AUTHOR_WALL_S = 10.0, 30.0
@@ -123,7 +124,9 @@ def _read(problem: Problem, path: Path, bank: Bank) -> Loaded:
             stated = read_solution(text, symbols, path.parent)
     except MarkdownError as error:
         raise NotDerivable(path, error.line, error.sentence) from error
-    except (OSError, UnicodeDecodeError, TooLong) as error:
+    except UnicodeDecodeError as error:
+        raise NotDerivable(path, *not_utf8(error)) from None
+    except (OSError, TooLong) as error:
         raise NotDerivable(path, 0, f"cannot be read: {error}") from None
     return Loaded(path, bank, stated[0].derivation, 1, _scene_beside(path), stated, meanings)
 
