@@ -6,8 +6,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Collection, Generator, Iterable, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Collection, Iterable, Mapping
 from types import MappingProxyType
 from typing import cast
 
@@ -17,7 +16,7 @@ from sympy.printing.numpy import NumPyPrinter
 from corollary.answers.quantity import read_quantity
 from corollary.derive.formula_text import parted
 from corollary.derive.item_clauses import QUOTED, first_item, formula_and_words, formula_of
-from corollary.derive.markdown_items import ListItem, MarkdownError, Section
+from corollary.derive.markdown_items import MarkdownError, Section, at_line
 from corollary.derive.statements import (
     Code,
     CurveFormula,
@@ -58,20 +57,10 @@ FIVE_PER_CENT = 0.05
 PLACES = 400  # of a curve as its example draws it
 
 
-@contextmanager
-def _at(item: ListItem) -> Generator[None]:
-    try:
-        yield
-    except MarkdownError:
-        raise
-    except ValueError as error:
-        raise MarkdownError(item.line, str(error)) from error
-
-
 def function_by_formula(section: Section, statement: Statement, givens: Collection[str]) -> Code:
     """``returns: `place(v, t) = v*t` `` with `drawn`, `corner`, `within` and `mistake`. Raises MarkdownError."""
     item = first_item(section, "returns")
-    with _at(item):
+    with at_line(item.line):
         found = SIGNATURE.fullmatch(formula_of(item))
         if not found:
             raise ValueError("write the function as it is called, and what it returns: `place(v, t) = v*t`")
@@ -80,7 +69,7 @@ def function_by_formula(section: Section, statement: Statement, givens: Collecti
     drawn: dict[str, DrawnArgument] = {}
     corners: list[tuple[tuple[str, float], ...]] = []
     for each in section.items:
-        with _at(each):
+        with at_line(each.line):
             if each.key == "drawn":
                 between = DRAWN.fullmatch(each.text)
                 if not between:
@@ -98,7 +87,7 @@ def function_by_formula(section: Section, statement: Statement, givens: Collecti
                 corners.append(
                     tuple((_argument(name.strip(), order), _si(value)) for name, _, value in pairs)
                 )
-    with _at(item):
+    with at_line(item.line):
         if missing := [name for name in order if name not in drawn]:
             raise ValueError(
                 f"say from where to where {missing[0]} is drawn: drawn: `{missing[0]}` from `1 s` to `5 s`"
@@ -121,7 +110,7 @@ def function_by_formula(section: Section, statement: Statement, givens: Collecti
 def curve_by_formula(section: Section, statement: Statement, givens: Collection[str]) -> Plot:
     """``curve: `v - a*t` against `t` from `0` to `v/a` `` with `axes` and `mistake`. Raises MarkdownError."""
     item = first_item(section, "curve")
-    with _at(item):
+    with at_line(item.line):
         found = CURVE.fullmatch(item.text)
         if not found:
             raise ValueError("write it as in `v - a*t` against `t` from `0` to `v/a`")
@@ -142,7 +131,7 @@ def curve_by_formula(section: Section, statement: Statement, givens: Collection[
 def line_by_formula(section: Section, statement: Statement, givens: Collection[str]) -> Plot:
     """``fit: slope `g/2`, intercept `0` `` with `axes` and `within`. Raises MarkdownError."""
     item = first_item(section, "fit")
-    with _at(item):
+    with at_line(item.line):
         found = FIT.fullmatch(item.text)
         if not found:
             raise ValueError("write it as in slope `g/2`, intercept `0`")
@@ -197,7 +186,7 @@ def _share(section: Section, usual: float) -> float:
 def _mistakes(section: Section, letters: Collection[str]) -> Iterable[tuple[Expr, str]]:
     for item in section.items:
         if item.key == "mistake":
-            with _at(item):
+            with at_line(item.line):
                 formula, words = formula_and_words(item)
                 if not words:
                     raise ValueError("say what the student reads who made this mistake, before the formula")

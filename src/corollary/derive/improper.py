@@ -9,6 +9,8 @@ from typing import Any
 
 import sympy
 
+from corollary.formula.from_sympy import as_typed
+
 ENDS = 80.0
 """The integral runs over t = low + e^u with u from -80 to 80, so that no scale has to be known before."""
 PANELS, NODES = 214, 64
@@ -39,7 +41,7 @@ def refuse_divergent(side: sympy.Expr) -> None:
 
 def _written(node: sympy.Integral) -> str:
     letter, low, high = _over(node)
-    return f"int({node.function}, {letter}, {low}, {high})".replace("**", "^")
+    return as_typed(f"int({node.function}, {letter}, {low}, {high})")
 
 
 def by_quadrature(node: sympy.Integral) -> float:

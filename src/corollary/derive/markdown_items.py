@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Generator, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 HEADING = re.compile(r"(#{1,6})\s+(.*\S)\s*$")
@@ -19,6 +20,17 @@ class MarkdownError(ValueError):
     def __init__(self, line: int, sentence: str):
         self.line, self.sentence = line, sentence
         super().__init__(f"{line}: {sentence}")
+
+
+@contextmanager
+def at_line(line: int) -> Generator[None]:
+    """Raises MarkdownError, with the line, for what is wrong inside."""
+    try:
+        yield
+    except MarkdownError:
+        raise
+    except (ValueError, TypeError, OSError, SyntaxError) as error:
+        raise MarkdownError(line, str(error)) from error
 
 
 @dataclass(slots=True)

@@ -15,7 +15,7 @@ from corollary.derive.assumptions import FoundFunction, Known, Point, Root, at, 
 from corollary.derive.function_values import Pair, eliminated, functions_in
 from corollary.derive.statements import Exchange, Mistake, Rejected, Sentence
 from corollary.formula.ast import Name, Relation
-from corollary.formula.from_sympy import NoTree, relation, tree
+from corollary.formula.from_sympy import NoTree, as_typed, relation, tree
 from corollary.formula.latex import latex
 from corollary.laws.law import Law, substitute, symbols
 from corollary.messages import N_
@@ -290,15 +290,11 @@ def _named(where: sympy.Basic | bool) -> str:
     """A condition in the letters that authors type."""
     if isinstance(where, bool) or where in (sympy.true, sympy.false):
         return "a condition that holds for no numbers"
-    return _typed(where)
-
-
-def _typed(value: object) -> str:
-    return str(value).replace("**", "^")
+    return as_typed(where)
 
 
 def _equations(root: Root) -> str:
-    return ", ".join(f"{symbol} = {_typed(value)}" for symbol, value in root.items())
+    return ", ".join(f"{symbol} = {as_typed(value)}" for symbol, value in root.items())
 
 
 def _list(things: Sequence | set | frozenset) -> str:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Generator, Iterable, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
@@ -40,7 +39,7 @@ from corollary.derive.item_clauses import (
     refuse_misplaced,
     refuse_others,
 )
-from corollary.derive.markdown_items import ListItem, MarkdownError, Section, sections
+from corollary.derive.markdown_items import ListItem, MarkdownError, Section, at_line, sections
 from corollary.derive.numbered_items import mistake_in_list, numbers_letter, numbers_of
 from corollary.derive.stated_words import function, unknowns, variable
 from corollary.derive.statements import (
@@ -68,7 +67,6 @@ from corollary.derive.statements import (
     Supposed,
 )
 from corollary.derive.step_heading import CASE, step_heading
-from corollary.formula.authored import NotTyped
 from corollary.laws.law import Law, Meaning, known_by_name
 from corollary.messages import did_you_mean
 
@@ -86,17 +84,6 @@ def read_solution(text: str, givens: Mapping[str, sympy.Symbol], folder: Path) -
     """
     keys = {key for words in ALLOWED.values() for key in words} | {*CLAIMS, *BELOW}
     return SolutionReader(givens, folder).derivation(sections(text, keys))
-
-
-@contextmanager
-def _at(line: int) -> Generator[None]:
-    """Raises MarkdownError, with the line, for what is wrong inside."""
-    try:
-        yield
-    except MarkdownError:
-        raise
-    except (ValueError, TypeError, NotTyped, OSError, SyntaxError) as error:
-        raise MarkdownError(line, str(error)) from error
 
 
 def _kind(section: Section, part: str, letters: Sequence[str]) -> str:
@@ -136,7 +123,7 @@ class SolutionReader:
         stated: list[tuple[Section, re.Match[str], list[Entry]]] = []
         within = 0
         for section in titled:
-            with _at(section.line):
+            with at_line(section.line):
                 if case := CASE.match(section.title):
                     if stated and len(entries) > within:
                         raise ValueError(
@@ -152,11 +139,11 @@ class SolutionReader:
             entries.insert(within, Cases(tuple(self._case(*each) for each in stated), stated[0][0].line))
         if not entries:
             raise MarkdownError(1, "it states no step; begin one with a heading, such as ## (a) v")
-        with _at(stated[0][0].line if stated else 1):
+        with at_line(stated[0][0].line if stated else 1):
             return branches(entries)
 
     def _case(self, section: Section, case: re.Match[str], entries: list[Entry]) -> Case:
-        with _at(section.line):
+        with at_line(section.line):
             return Case(case["text"], self.table.condition(case["condition"]), tuple(entries), section.line)
 
     # letters
@@ -171,7 +158,7 @@ class SolutionReader:
 
     def _declarations(self, section: Section) -> None:
         for item in section.items:
-            with _at(item.line):
+            with at_line(item.line):
                 letters, meaning = formula_and_words(item)
                 match item.key:
                     case "letter":
@@ -211,7 +198,7 @@ class SolutionReader:
         """The letters that a section finds, or needs."""
         heading = step_heading(section)
         letters, meaning = heading.letters, heading.meaning
-        with _at(section.line):
+        with at_line(section.line):
             if given := [letter for letter in letters if letter in self.givens]:
                 raise ValueError(f"{given[0]} is a given; call the unknown by another letter")
             new = [letter for letter in letters if letter not in self.table.meanings]
@@ -220,7 +207,7 @@ class SolutionReader:
             elif meaning:
                 self._vector(letters, meaning)
         for item in section.items:
-            with _at(item.line):
+            with at_line(item.line):
                 if item.key == "letter":
                     named, words = formula_and_words(item)
                     self._vector([each.strip() for each in parted(named)], words)
@@ -260,7 +247,7 @@ class SolutionReader:
                 found.append(entry)
         for item in section.items:
             if item.key in CLAIMS:
-                with _at(item.line):
+                with at_line(item.line):
                     claim: Callable[[ListItem], Entry] = getattr(self, f"_{item.key}")
                     found.append(claim(item))
         return found
@@ -288,7 +275,7 @@ class SolutionReader:
         found: list[str] = []
         for item in section.items:
             if item.key == key:
-                with _at(item.line):
+                with at_line(item.line):
                     found.append(formula_of(item))
         return found
 
@@ -296,7 +283,7 @@ class SolutionReader:
         return tuple(self._law(item, named) for item in items if item.key == key)
 
     def _law(self, item: ListItem, named: bool) -> Law:
-        with _at(item.line):
+        with at_line(item.line):
             name, clauses = clauses_of(item)
             refuse_others(clauses, "law", "with")
             words = {key: only_text(item.values(key)) for key in ("source", "holds") if item.values(key)}
@@ -310,13 +297,13 @@ class SolutionReader:
         conditions: list[Any] = []
         for item in section.items:
             if item.key == "where":
-                with _at(item.line):
+                with at_line(item.line):
                     conditions.append(self.table.condition(formula_of(item)))
         return sympy.And(*conditions) if len(conditions) > 1 else conditions[0] if conditions else True
 
     def _step(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Step:
         laws = self._laws(section.items)
-        with _at(section.line):
+        with at_line(section.line):
             if not laws:
                 raise ValueError(
                     f"{section.title}: state the laws from which it follows, each in an item such as law: Momentum, `p = m*v`"
@@ -328,7 +315,7 @@ class SolutionReader:
         rejected: list[Rejected] = []
         routes: list[Route[Law]] = []
         for item in section.items:
-            with _at(item.line):
+            with at_line(item.line):
                 if item.key == "reject":
                     formula, reason = formula_and_words(item)
                     roots = {
@@ -368,7 +355,7 @@ class SolutionReader:
 
     def _mistake(self, item: ListItem, names: Collection[str] = ()) -> Mistake[Exchange]:
         """`names` are those of the step's laws: a law of that name takes its place."""
-        with _at(item.line):
+        with at_line(item.line):
             text, clauses = clauses_of(item)
             where = [*clauses["where"], *(formula_of(each) for each in item.values("where"))]
             below = (each.text.strip('"') for each in item.values("instead of"))
@@ -402,7 +389,7 @@ class SolutionReader:
 
     def _optimum(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Optimum:
         item = first_item(section, "optimum")
-        with _at(item.line):
+        with at_line(item.line):
             found = re.fullmatch(
                 r"`([^`]+)` is (largest|smallest) for `([^`]+)` from `([^`]+)` to `([^`]+)`", item.text
             )
@@ -418,7 +405,7 @@ class SolutionReader:
         self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]
     ) -> Simulated:
         item = first_item(section, "simulated")
-        with _at(item.line):
+        with at_line(item.line):
             quoted = QUOTED.findall(item.text)
             if len(quoted) != 2:
                 raise ValueError("name the scene and what is observed in it, as in `cradle`, `velocities`")
@@ -433,7 +420,7 @@ class SolutionReader:
     ) -> Example[sympy.Symbol, sympy.Expr, Law]:
         item = first_item(section, "example")
         apart: list[tuple[tuple[sympy.Expr, ...], str]] = []
-        with _at(item.line):
+        with at_line(item.line):
             found = re.fullmatch(r"(?:(\d+) free)?", item.text)
             if not found:
                 raise ValueError("say how many of the numbers are free, as in example: 1 free")
@@ -442,7 +429,7 @@ class SolutionReader:
             ]
         for each in section.items:
             if each.key == "apart":
-                with _at(each.line):
+                with at_line(each.line):
                     formula, why = formula_and_words(each)
                     apart.append((tuple(map(self.table.expression, parted(formula))), why))
         return Example(statement, names, self._laws(section.items), tuple(apart), int(found[1] or 1), scale)
@@ -451,7 +438,7 @@ class SolutionReader:
         self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]
     ) -> Neglected[Step, Supposed]:
         item = first_item(section, "neglected")
-        with _at(item.line):
+        with at_line(item.line):
             what, asked = re.subn(r",? as asked$", "", item.text)
             supposed = [each.strip() for text in self._texts(section, "supposing") for each in parted(text)]
             if missing := [each for each in supposed if each not in self.supposed]:
@@ -469,7 +456,7 @@ class SolutionReader:
         mistakes: list[Mistake[tuple[Law, ...]]] = []
         rates: list[tuple[str, sympy.Expr]] = []
         for item in section.items:
-            with _at(item.line):
+            with at_line(item.line):
                 if item.key == "mistake":
                     wrong = self._mistake(item)
                     mistakes.append(Mistake(wrong.text, wrong.rule.laws, wrong.line))
@@ -493,7 +480,7 @@ class SolutionReader:
         along: list[Along[Law]] = []
         mistakes: dict[str, str] = {}
         for item in section.items:
-            with _at(item.line):
+            with at_line(item.line):
                 if item.key == "force":
                     found = re.fullmatch(r"\((\w+)\) (?:`([^`]+)` )?(?:`([^`]+)`|([\w ]+))", item.text)
                     if not found:
@@ -514,7 +501,7 @@ class SolutionReader:
         mistakes: dict[str, str] = {}
         for item in section.items:
             if found := OPTION.match(item.text):
-                with _at(item.line):
+                with at_line(item.line):
                     right = found["right"] == "right"
                     if found["condition"]:
                         condition = self.table.condition(found["condition"])
@@ -537,7 +524,7 @@ class SolutionReader:
 
     def _code(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Code:
         item = first_item(section, "code")
-        with _at(item.line):
+        with at_line(item.line):
             judges = LazyModule(self.folder / formula_of(item), self.folder)
             inputs = (
                 getattr(judges, named_below(item, "inputs")) if item.values("inputs") else _without_arguments
@@ -550,7 +537,7 @@ class SolutionReader:
 
     def _plot(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Plot:
         item = first_item(section, "plot")
-        with _at(item.line):
+        with at_line(item.line):
             judge = getattr(
                 LazyModule(self.folder / formula_of(item), self.folder), named_below(item, "judge")
             )

@@ -210,7 +210,7 @@ def solve(bank: Bank, problem: Problem) -> Solution:
 def solved_derivation(bank: Bank, problem: Problem) -> SolvedDerivation:
     """The same with what it was found from. Raises NotDerivable."""
     loaded = load(bank, problem)
-    with letters_printed(dict(problem.printed_letters)):  # in the sentences on what was found
+    with letters_printed(problem.printed_letters):  # in the sentences on what was found
         found = tuple(solvers(problem, loaded))
         return SolvedDerivation(loaded, found, with_presentation(_of_all_cases(found)))
 

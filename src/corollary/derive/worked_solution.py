@@ -184,7 +184,7 @@ def worked_steps(
 ) -> Sequence[str]:
     """The same step by step: what is found, one after the other, and then what needs no finding. Of parts that the variant does
     not ask there is only what the others need."""
-    with letters_printed(dict(solution.problem.printed_letters)):
+    with letters_printed(solution.problem.printed_letters):
         return tuple(_steps(solution, variant, values, letters, neglected))
 
 
@@ -218,9 +218,8 @@ def _steps(
         letters_here = explained(find, solution, met)
         met |= {*find.names} | names(*(relation for law in find.laws for relation in law.here))
         again = before is not None and find.statement.solved_with(before.statement)
-        found = _from_the_same_laws if again else _unknown
         units = units_of(find, part, numbers, solution)
-        lines += [heading, "", *letters_here, *found(find, numbers, units, part, known, si), ""]
+        lines += [heading, "", *letters_here, *_unknown(find, numbers, units, part, known, si, again), ""]
         before = find
         for name, value, unit in zip(find.names, numbers, units, strict=True):
             in_formula = si_unit(unit.dimension) if unit.offset else unit  # a temperature in kelvin
@@ -243,7 +242,7 @@ def model_answer(solution: Solution, part: Part, letters: Mapping[str, str], var
     """What answers a part that asks for no quantity: an option with its reason, a proof, a program, an explanation with its rubric.
 
     Markdown; empty for a part that asks for a quantity."""
-    with letters_printed(dict(solution.problem.printed_letters)):
+    with letters_printed(solution.problem.printed_letters):
         return formulas_in_convention("\n".join(_other(solution, part, letters, variant)).strip())
 
 
@@ -258,7 +257,20 @@ def _unknown(
     part: Part | None,
     known: Mapping[str, str],
     si: Mapping[str, float],
+    again: bool,
 ) -> list[str]:
+    """`again`: its laws are a system that stands in the step before, which gives this, too."""
+    if again:
+        lines = [_("The same laws give this, too."), "", *_result(find, numbers, units, part, known, si)]
+    else:
+        lines = [*_reasons_for(find), *_result(find, numbers, units, part, known, si), *_routes(find)]
+    if find.statement.check:
+        lines += ["", _("*Check:* {check}", check=find.statement.check)]
+    return lines
+
+
+def _reasons_for(find: Unknown) -> list[str]:
+    """The author's reason, the laws, and how they give what is found."""
     lines = [find.statement.because, ""]
     for law in find.laws:
         lines += [_law(law), ""]
@@ -270,28 +282,15 @@ def _unknown(
         lines += [find.note.spoken(), ""]
     for reason in find.rejected:
         lines += [_("*Another root of these laws is rejected:* {reason}.", reason=reason.spoken()), ""]
-    lines += _result(find, numbers, units, part, known, si)
+    return lines
+
+
+def _routes(find: Unknown) -> Iterator[str]:
     for route in find.routes:
         because, laws = route.stated.because, route.stated.laws
-        lines += ["", _("*Another way.* {because}", because=because), "", *(_law(law) + "\n" for law in laws)]
-    if find.statement.check:
-        lines += ["", _("*Check:* {check}", check=find.statement.check)]
-    return lines
-
-
-def _from_the_same_laws(
-    find: Unknown,
-    numbers: tuple[float, ...],
-    units: Sequence[Unit],
-    part: Part | None,
-    known: Mapping[str, str],
-    si: Mapping[str, float],
-) -> list[str]:
-    """What else a system of laws gives, which stand in the step before."""
-    lines = [_("The same laws give this, too."), "", *_result(find, numbers, units, part, known, si)]
-    if find.statement.check:
-        lines += ["", _("*Check:* {check}", check=find.statement.check)]
-    return lines
+        yield from (
+            "", _("*Another way.* {because}", because=because), "", *(_law(law) + "\n" for law in laws)
+        )  # fmt: skip
 
 
 def _numbers_of_entries(numbering: Numbering, count: int) -> str:

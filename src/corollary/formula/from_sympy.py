@@ -25,6 +25,11 @@ class NoTree(ValueError):
     """The expression holds something no formula of ours can say."""
 
 
+def as_typed(value: object) -> str:
+    """A formula of sympy's as an author types it, for a message: `m*v^2`."""
+    return str(value).replace("**", "^")
+
+
 def tree(expr: sympy.Expr) -> Expr:
     """The expression as a formula. Raises NoTree for what has no place in one (integrals, piecewise, complex numbers)."""
     if isinstance(expr, sympy.Float):

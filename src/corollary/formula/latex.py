@@ -3,7 +3,7 @@ r"""Formulas as TeX sets them, their form kept: `m*v_A0/dt` becomes a fraction w
 from __future__ import annotations
 
 import re
-from collections.abc import Generator, Mapping
+from collections.abc import Generator, Iterable, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from fractions import Fraction
@@ -30,9 +30,9 @@ AS_TYPED = re.compile(r"(?P<change>[Δ∆])?(?P<head>[^\W\d_]+)(?:_(?P<index>\w+
 
 
 @contextmanager
-def letters_printed(as_tex: Mapping[str, str]) -> Generator[None]:
-    """Inside, these letters of a problem are set in this TeX, and all others by rule."""
-    before = _PRINTED.set(as_tex)
+def letters_printed(as_tex: Iterable[tuple[str, str]]) -> Generator[None]:
+    """Inside, these letters of a problem (`printed_letters`) are set in this TeX, and all others by rule."""
+    before = _PRINTED.set(dict(as_tex))
     try:
         yield
     finally:

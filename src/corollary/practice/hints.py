@@ -117,11 +117,10 @@ def remaining(solution: Solution, asked: Unknown, right: Set[str]) -> Remaining:
 
 def _hints(key: Key, part: Part, left: Remaining | None) -> tuple[str, ...]:
     own = (part.hint,) if part.hint else ()
-    if left is not None:
-        with letters_printed(dict(key.variant.problem.printed_letters)):
+    with letters_printed(key.variant.problem.printed_letters):
+        if left is not None:
             return tuple(dict.fromkeys((*own, *_of_steps(key, left))))
-    if laws := _laws_of(key.solution, part.id):
-        with letters_printed(dict(key.variant.problem.printed_letters)):
+        if laws := _laws_of(key.solution, part.id):
             return (*own, *_of_laws(laws, ()))
     thought = advice_for(key, part, None)
     return (*own, thought) if thought else own

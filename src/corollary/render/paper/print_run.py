@@ -90,7 +90,7 @@ def typst_key(paper: PaperSheet, keys: Mapping[str, Key], solutions: Mapping[str
 
 def typst_exercise_key(exercise: Exercise, key: Key, scheme: Scheme, weight: float) -> str:
     """The numbers of one exercise, and how each of its parts is marked."""
-    with letters_printed(dict(exercise.problem.printed_letters)):
+    with letters_printed(exercise.problem.printed_letters):
         return _exercise_key(exercise, key, scheme, weight)
 
 
