@@ -582,3 +582,63 @@ def test_a_deadline_in_the_hour_that_comes_twice_is_the_later_of_the_two(
     )
     collected(course, again)
     assert (taken(course)["ada"], when(course, "ada")) == (content, "25 01:30")
+
+
+ADAS, OTHERS = (
+    "Ada Lovelace_17_assignsubmission_file_/one.ipynb",
+    "Ada Lovelace_99_assignsubmission_file_/one.ipynb",
+)
+
+
+@pytest.mark.parametrize("says", ["ada", "ben"])
+def test_two_numbers_under_one_name_replace_nobodys_hand_in(course: Path, tmp_path: Path, says: str) -> None:
+    """A namesake, or somebody who took her display name: nothing tells them apart, so that a person has to."""
+    both = {
+        ADAS: sheet(course, "ada"),
+        OTHERS: sheet(course, says, note="other"),
+        "Ben Bóol_18_assignsubmission_file_/one.ipynb": sheet(course, "ben"),
+    }
+    found = collected(course, archive(tmp_path / "all.zip", both))
+    assert outcomes(found) == {
+        ADAS: NOBODY,
+        OTHERS: NOBODY,
+        "Ben Bóol_18_assignsubmission_file_/one.ipynb": ACCEPTED,
+    }
+    assert any("Ada Lovelace (ada) has 2 numbers in Moodle (17, 99)" in each for each in found.conflicts)
+    assert all("rename the right file to ada.ipynb" in each.why for each in found.of(NOBODY))
+    assert set(taken(course)) == {"ben"}
+
+
+def test_a_second_number_does_not_replace_what_came_under_the_first(course: Path, tmp_path: Path) -> None:
+    ben = "Ben Bóol_18_assignsubmission_file_/one.ipynb"
+    collected(course, archive(tmp_path / "1.zip", {ADAS: sheet(course, "ada"), ben: sheet(course, "ben")}))
+    later = {
+        ADAS: sheet(course, "ada"),
+        ben: sheet(course, "ben"),
+        OTHERS: sheet(course, "ada", note="other"),
+    }
+    found = collected(course, archive(tmp_path / "2.zip", later, day=4))
+    assert outcomes(found) == {ADAS: UNCHANGED, ben: UNCHANGED, OTHERS: NOBODY}
+    assert "Ada Lovelace (ada) has the number 17" in found.of(NOBODY)[0].why
+    alone = {OTHERS: sheet(course, "ada", note="other"), ben: sheet(course, "ben")}
+    assert outcomes(collected(course, archive(tmp_path / "3.zip", alone, day=5)))[OTHERS] == NOBODY
+    assert taken(course)["ada"] == sheet(course, "ada")
+    # a second assignment of Moodle's, for those who are late, has other numbers for everybody
+    anew = {"Ada Lovelace_501_assignsubmission_file_/one.ipynb": sheet(course, "ada", note="anew")}
+    assert outcomes(collected(course, archive(tmp_path / "4.zip", anew, day=6))) == dict.fromkeys(
+        anew, ACCEPTED
+    )
+
+
+def test_the_worksheet_tells_by_address_whose_a_number_is(course: Path, tmp_path: Path) -> None:
+    worksheet = tmp_path / "grades.csv"
+    worksheet.write_text(
+        "Identifier,Full name,Email address,Last modified (submission)\n"
+        'Participant 17,Ada Lovelace,ada@example.org,"Thursday, 3 December 2026, 9:00 AM"\n'
+        'Participant 99,Ada Lovelace,ben@example.org,"Thursday, 3 December 2026, 10:00 AM"\n'
+    )
+    path = archive(tmp_path / "all.zip", {ADAS: sheet(course, "ada"), OTHERS: sheet(course, "ben")})
+    found = collected(course, path, times=worksheet)
+    assert outcomes(found) == {ADAS: ACCEPTED, OTHERS: NOBODY}
+    assert "the number is that of Ben Bóol (ben)" in found.of(NOBODY)[0].why
+    assert any("only the file under 17 is taken" in each for each in found.conflicts)

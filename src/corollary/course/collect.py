@@ -13,8 +13,9 @@ import msgspec
 from corollary.atomic import write_whole
 from corollary.course.failure_log import FailureLog
 from corollary.course.hand_in_time import Times, dated, read_times
+from corollary.course.lms_numbers import OwnFiles, known_numbers
 from corollary.course.lms_places import worksheet_numbers
-from corollary.course.owner import LATER, Found, directory_of, identified, not_a_notebook
+from corollary.course.owner import LATER, Found, directory_of, identified, not_a_notebook, numbers_before
 from corollary.guard import Failure, guarded
 from corollary.messages import few
 from corollary.problem.dates import machine_zone
@@ -164,10 +165,11 @@ def collect(
     met, arrivals, conflicts, moved = list[Found](), list[Arrival](), list[str](), list[str]()
     zone = read_settings(course.folder).usual.zone or machine_zone() or UTC
     # A worksheet counts only where whoever collects gave it: a student could hand in one that moves everybody's times.
-    moments, numbers = Times({}), dict[str, str]()
+    moments, numbers, by_id = Times({}), dict[str, str](), dict[str, str]()
     for table in (*([times] if times else []), *(each for each in sources if each.suffix.lower() == ".csv")):
         moments = moments.joined(read_times(table, zone))
         numbers |= worksheet_numbers(table, roster)
+        by_id |= worksheet_numbers(table, roster, by_name=False)
     failures = FailureLog(course, name)
     directory = directory_of(roster, before, numbers)
     known = {each.id: each for each in roster}
@@ -184,6 +186,10 @@ def collect(
                 failures.add(stumbled.student or writable(member.name), [found])
                 found = stumbled
             arrivals.append(found)
+    own = OwnFiles(known_numbers(roster, numbers_before(roster, before), by_id), known)
+    met = own.of(met)
+    arrivals += own.refused
+    conflicts += own.conflicts
     deadlines = read_deadlines(course, problem_set)
     with_times, remarks = dated(met, moments, zone, deadlines, now)
     remarks += moments.remarks

@@ -62,9 +62,11 @@ def places(
     return by_student
 
 
-def worksheet_numbers(file: Path, roster: Sequence[Student]) -> dict[str, str]:
-    """The numbers of Moodle's grading worksheet, as "moodle 17", with the id of each student. Raises Malformed."""
-    return {f"moodle {name.number}": student for student, name in _of_worksheet(file, Directory(roster))}
+def worksheet_numbers(file: Path, roster: Sequence[Student], *, by_name: bool = True) -> dict[str, str]:
+    """The numbers of Moodle's grading worksheet, as "moodle 17", with the id of each student; without `by_name` only of rows that
+    an id or an address names. Raises Malformed."""
+    found = _of_worksheet(file, Directory(roster), by_name=by_name)
+    return {f"moodle {name.number}": student for student, name in found}
 
 
 def packed(
@@ -85,13 +87,16 @@ def packed(
     return members
 
 
-def _of_worksheet(file: Path, directory: Directory) -> Iterable[tuple[str, LmsName]]:
+def _of_worksheet(file: Path, directory: Directory, *, by_name: bool = True) -> Iterable[tuple[str, LmsName]]:
     """Moodle's numbers: in the column Identifier, or in another language the first one, as a word and a number."""
     table = read_table(file, HEADINGS)
     lower = [cell.lower() for cell in table.first]
     at = lower.index(IDENTIFIER) if IDENTIFIER in lower else 0
     rows = list(enumerate(row for _, row in table.rows[1:]))
-    for number, student in row_owners(directory, table.first, rows).students.items():
+    owners = row_owners(directory, table.first, rows)
+    for number, student in owners.students.items():
+        if number in owners.by_name and not by_name:
+            continue
         if found := PARTICIPANT.match(rows[number][1][at]):
             yield student, LmsName("moodle", "", found[1], "")
 

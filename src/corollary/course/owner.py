@@ -86,11 +86,16 @@ def directory_of(
     roster: Sequence[Student], before: Sequence[Arrival], worksheet: Mapping[str, str]
 ) -> Directory:
     """With the numbers that came under names of the students themselves, and those of Moodle's worksheet."""
+    return Directory(roster, numbers_before(roster, before), worksheet)
+
+
+def numbers_before(roster: Sequence[Student], before: Sequence[Arrival]) -> dict[str, str]:
+    """The numbers, such as "moodle 17", that came earlier under names of the students themselves, with the id of each."""
     names = Directory(roster)
     own = [
         each for each in before if (lms := lms_name(each.file.split("/"))) and names.admits(lms, each.student)
     ]
-    return Directory(roster, numbers_of(own), worksheet)
+    return numbers_of(own)
 
 
 def identified(
