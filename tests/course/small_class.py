@@ -12,6 +12,7 @@ from corollary.grading.submission import GradingContext, Submission
 from corollary.notebook.notebook import filled_in
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
+from corollary.problem.late_penalty import IN_TIME
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import at
@@ -45,5 +46,5 @@ def handed_in(by: GradingContext) -> list[Submission]:
         if name == "ben":
             sources |= {f"{prompt.key}_answer": f"{prompt.name} = 1e9" for prompt in paper.prompts[:1]}
         text = b'{"cells": [' if name == "nils" else filled_in(paper, sources).encode()
-        papers.append(Submission(Student(name), text, variants, 0.0, name))
+        papers.append(Submission(Student(name), text, variants, IN_TIME, name))
     return papers

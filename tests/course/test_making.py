@@ -62,7 +62,8 @@ def test_a_process_that_is_killed_costs_nothing(ball: ChangingBank, monkeypatch:
     course = create_course(ball.course, ROSTER)
     solutions = Solutions(ball.bank)
     students = [each.id for each in ROSTER]
-    with generate.makers(course, ball.problem_set, solutions, len(students), 1) as by:
+    dealt = ball.problem_set.deal(course.key, students)
+    with generate.makers(course, ball.problem_set, solutions, len(students), 1, dealt) as by:
         expected = list(by.draw(students))
     here, draw = os.getpid(), generate._draw
 
@@ -73,5 +74,5 @@ def test_a_process_that_is_killed_costs_nothing(ball: ChangingBank, monkeypatch:
 
     deadly.__module__, deadly.__qualname__ = generate.__name__, "_draw"
     monkeypatch.setattr(generate, "_draw", deadly)
-    with generate.makers(course, ball.problem_set, solutions, len(students), 2) as by:
+    with generate.makers(course, ball.problem_set, solutions, len(students), 2, dealt) as by:
         assert list(by.draw(students)) == expected

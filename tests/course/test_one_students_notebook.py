@@ -23,6 +23,7 @@ from corollary.grading import judge as judging
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import Submission
 from corollary.nbgrader.graded import GradedSubmission
+from corollary.problem.late_penalty import IN_TIME
 from corollary.problem.roster import Student
 from corollary.problem.variant import at
 from corollary.records.files import open_course
@@ -74,7 +75,7 @@ def hostile(number: int, name: str, model: Submission) -> Submission:
         book["cells"].append({**cell, "id": "last", "source": f"{asked} = {ANSWERS[name]}"})
         content = json.dumps(book).encode()
     problem = model.variants[0].problem
-    return Submission(Student(f"h{number}"), content, (at(problem, 200 + number),), 0.0, name)
+    return Submission(Student(f"h{number}"), content, (at(problem, 200 + number),), IN_TIME, name)
 
 
 def test_hostile_answers_and_files_cost_nobody_else_anything(tmp_path: Path) -> None:

@@ -67,7 +67,7 @@ def test_each_student_gets_some_of_a_pool_by_the_courses_key(balls: ChangingBank
         assert codes == sorted(codes)
         assert codes[0] == "X1.1"
         assert len(codes) == 3
-        assert codes == [each.code for each in balls.problem_set.problems_of(made.course.key, student)]
+        assert codes == [each.code for each in balls.problem_set.deal(made.course.key, [student])[student]]
         cells = json.loads(made.notebooks[student].read_text())["cells"]
         asked = {cell["id"].removesuffix("_statement") for cell in cells if cell["id"].endswith("_statement")}
         assert asked == {code.replace(".", "_") for code in codes}
@@ -81,7 +81,7 @@ def test_each_student_gets_some_of_a_pool_by_the_courses_key(balls: ChangingBank
 def test_another_key_deals_others(balls: ChangingBank) -> None:
     as_set(balls, POOL)
     found = {
-        key: [tuple(p.code for p in balls.problem_set.problems_of(key, each.id)) for each in CLASS]
+        key: [tuple(p.code for p in balls.problem_set.deal(key, [each.id])[each.id]) for each in CLASS]
         for key in (b"one", b"two")
     }
     assert found[b"one"] != found[b"two"]
@@ -231,3 +231,25 @@ def test_only_so_many_tries_count(balls: ChangingBank, tmp_path: Path) -> None:
     assert said == ["accepted", "accepted", "unchanged", "unusable"]
     assert "exceeds the 2 tries" in document["unusable"][0]["why"]
     assert "X1_1_a = 2" in taken.read_text()
+
+
+@pytest.mark.usefixtures("no_gradebook")
+def test_equal_shares_stay_equal_when_students_join_and_move_nobody(balls: ChangingBank) -> None:
+    as_set(balls, "title: A week\nproblems:\n  - {any: 2, of: [X1.1, X1.2, X1.3, X1.4], deal: equally}\n")
+    joined = [Student(f"new{number}") for number in range(7)]
+
+    def counts() -> list[int]:
+        held = [code for codes in dealt(balls).values() for code in codes]
+        return sorted(held.count(f"X1.{number}") for number in range(1, 5))
+
+    made = generate(balls.course, balls.problem_set, CLASS, Solutions(balls.bank))
+    assert counts() == [5, 5, 5, 5]
+    before = dealt(balls)
+    assert len({tuple(codes) for codes in before.values()}) > 2  # and not two halves of the class
+    for count in (3, 7):
+        generate(balls.course, balls.problem_set, [*CLASS, *joined[:count]], Solutions(balls.bank))
+        assert counts()[-1] - counts()[0] <= 1
+        assert {student: dealt(balls)[student] for student in before} == before
+    ids = [each.id for each in CLASS]
+    by_roster = [balls.problem_set.deal(made.course.key, order) for order in (ids, ids[::-1])]
+    assert by_roster[0] == by_roster[1]

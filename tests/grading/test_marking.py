@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from datetime import timedelta
 from pathlib import Path
 
 import nbformat
@@ -15,12 +16,13 @@ from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Right, Unmarked, Unread, Verdict
 from corollary.course.demo.players import right_sources
 from corollary.formula.errors import ParseError
-from corollary.grading.marking import late_share, mark
+from corollary.grading.marking import mark
 from corollary.grading.part_grades import Marked
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import filled_in, notebook
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.bank import chapter_bank, find
+from corollary.problem.late_penalty import IN_TIME, Delay
 from corollary.problem.problem_set import read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
@@ -64,7 +66,7 @@ def marked(sheet: Worksheet) -> Iterator[Callable[[NotebookNode], Marked]]:
         def of(node: NotebookNode) -> Marked:
             book = notebook_of(nbformat.writes(node).encode())
             assert isinstance(book, Notebook)
-            return mark(sheet, keys, book, runner, b"secret", 0.0)
+            return mark(sheet, keys, book, runner, b"secret", IN_TIME)
 
         yield of
 
@@ -187,8 +189,8 @@ class NoRoom:
         return ExecutionResult((), {}, {}, (), UNKNOWN, self._trouble, machine_failed=True)
 
 
-@pytest.mark.parametrize("late", [0.0, 60.0])
-def test_where_our_machine_fails_nothing_is_held_against_the_student(sheet: Worksheet, whole, late: float):
+@pytest.mark.parametrize("late", [IN_TIME, Delay(60.0, 1, 0.5, "late")])
+def test_where_our_machine_fails_nothing_is_held_against_the_student(sheet: Worksheet, whole, late: Delay):
     """Whether it fails before the notebook is opened or while it runs: no points yet, every part for a person, the reason said."""
     solutions = Solutions(chapter_bank())
     keys = {each.problem.code: solutions.key(each.variant) for each in sheet.exercises}
@@ -197,7 +199,7 @@ def test_where_our_machine_fails_nothing_is_held_against_the_student(sheet: Work
     for received in (book, Unreadable(why, machine_failed=True)):
         marked = mark(sheet, keys, received, NoRoom(why), b"secret", late)
         assert marked.machine_failed
-        assert (marked.trouble, marked.late) == (why, late)
+        assert (marked.trouble, marked.late) == (why, late.seconds)
         parts = [part for grade in marked.grades for part in grade.parts]
         assert len(parts) > 15
         assert all(isinstance(part.verdict, Unmarked) and part.points == 0.0 for part in parts)
@@ -205,9 +207,9 @@ def test_where_our_machine_fails_nothing_is_held_against_the_student(sheet: Work
 
 
 def test_what_comes_in_time_keeps_all_marks(problem_set_with_a_late_rule):
-    assert late_share(problem_set_with_a_late_rule, 0) == 1
-    assert late_share(problem_set_with_a_late_rule, -5) == 1
-    assert late_share(problem_set_with_a_late_rule, 1) == 0.5
+    due = problem_set_with_a_late_rule.due
+    for seconds, share in ((0, 1.0), (-5, 1.0), (1, 0.5)):
+        assert problem_set_with_a_late_rule.delay(due, due + timedelta(seconds=seconds)).share == share
 
 
 @pytest.fixture

@@ -10,6 +10,7 @@ from corollary.grading.solutions import Solutions
 from corollary.grading.submission import GradingContext, Submission, mark_submission
 from corollary.notebook.notebook import filled_in
 from corollary.problem.bank import chapter_bank, find
+from corollary.problem.late_penalty import IN_TIME
 from corollary.problem.problem_set import ProblemSet, read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
@@ -39,9 +40,9 @@ def of(folder: Path, name: str, code: str) -> tuple[ProblemSet, Submission, Grad
     path.write_text(f"---\ntitle: {name}\nproblems: [{code}]\n---\n")
     problem_set = read_set(bank, path)
     context = GradingContext(problem_set, Solutions(bank), b"secret", Asked)
-    empty = Submission(ADA, b"", (chapter(find(bank, code)),), 0.0, "")
+    empty = Submission(ADA, b"", (chapter(find(bank, code)),), IN_TIME, "")
     content = filled_in(context.worksheet(empty), {}).encode()
-    return problem_set, Submission(ADA, content, empty.variants, 0.0, ""), context
+    return problem_set, Submission(ADA, content, empty.variants, IN_TIME, ""), context
 
 
 @pytest.mark.parametrize("own", [True, False])
@@ -49,7 +50,7 @@ def test_only_a_notebook_of_the_set_is_run(tmp_path, own):
     _, mine, context = of(tmp_path, "mine", "X12.5")
     _, other, _ = of(tmp_path, "other", "X12.7")
     runner = Asked()
-    handed_in = mine if own else Submission(ADA, other.content, mine.variants, 0.0, "")
+    handed_in = mine if own else Submission(ADA, other.content, mine.variants, IN_TIME, "")
     found = mark_submission(context, runner, handed_in)
     assert runner.times == own
     assert found.marked.machine_failed == own

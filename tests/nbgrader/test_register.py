@@ -36,6 +36,7 @@ from corollary.nbgrader.written_marks import synchronized, write_graded
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import Bank
+from corollary.problem.late_penalty import IN_TIME
 from corollary.problem.problem_set import ProblemSet, read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant, at, chapter
@@ -99,7 +100,7 @@ def record(
     with gradebook(course) as book:
         for one in works:
             found = MarkedSubmission(one, notebooks.get(one.student.id), {})
-            work = graded(problem_set, Submission(one.student, b"", {}, one.late, "fingerprint"), found)
+            work = graded(problem_set, Submission(one.student, b"", {}, IN_TIME, "fingerprint"), found)
             write_graded(course, problem_set, [work], given, book)
 
 

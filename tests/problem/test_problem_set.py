@@ -8,9 +8,8 @@ from zoneinfo import ZoneInfo
 import pytest
 
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank
-from corollary.problem.dates import Usual
 from corollary.problem.diagnostic import Malformed
-from corollary.problem.problem_set import ProblemSet, Scheme, find_set
+from corollary.problem.problem_set import ProblemSet, Scheme, Usual, find_set
 
 
 @pytest.fixture

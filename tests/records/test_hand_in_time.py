@@ -52,7 +52,7 @@ def settled(place: Path, terms: Terms = TERMS) -> str:
 
 
 def late(place: Path, terms: Terms = TERMS) -> float:
-    return lateness(course_of(place), SET, "ada", terms)
+    return lateness(course_of(place), SET, "ada", terms).seconds
 
 
 @pytest.mark.parametrize("kind", ["words", "bytes", "empty", "long", "pipe", "link", "folder", "none"])

@@ -154,4 +154,4 @@ def test_late_is_after_ones_own_deadline(course: Course):
         (Terms(datetime(2026, 12, 4, 12, 0, tzinfo=UTC), excused=True), 0),
         (NO_DATE, 0),
     ]:
-        assert lateness(course, problem_set, "ada", terms) == seconds
+        assert lateness(course, problem_set, "ada", terms).seconds == seconds

@@ -38,6 +38,7 @@ from corollary.problem.problem_set import ProblemSet, bank_of_set, find_set
 from corollary.problem.roster import read_roster
 from corollary.records.files import Course, open_course, students
 from corollary.records.lms_file import FilledIn
+from corollary.records.lms_names import LEFT_OUT, is_left_out
 from corollary.records.marks_table import MarksTable, Notation
 from corollary.records.origin import set_of
 from corollary.render.exports import Target, target
@@ -105,6 +106,11 @@ def _marks(
     decimals = given["decimals"]
     notation = Notation(2 if decimals is None else decimals, given["out_of"], given["blank"] or "")
     table = marks_table(course, problem_sets, given["columns"] or ("every" if every else "sets"), notation)
+    if to == "canvas-grades" and template is not None:
+        for title in (each.title for each in table.columns if is_left_out(each.title)):
+            say(
+                f"{LEFT_OUT}: {title}; give the assignment another title in Canvas, and name its column with --column"
+            )
     filled = marks_file(chosen, table, None if template is None else Template(template, given["headings"]))
     _say_of_marks(table, filled)
     word = "" if to == "csv" else f"-{to}"

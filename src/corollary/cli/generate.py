@@ -7,7 +7,7 @@ from pathlib import Path
 
 from corollary.cli.ending import FAILS, HOLDS, agreed, answer, refuse, say
 from corollary.cli.terminal import bar, console
-from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, warn_of_dates, with_name
+from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, with_name
 from corollary.course.generate import Generated, generate
 from corollary.course.renew import Renewals, RosterChange, renewals, roster_change, students_before
 from corollary.extras import installing
@@ -21,6 +21,7 @@ from corollary.problem.translation import translation
 from corollary.records.assignments import open_record, sheets
 from corollary.records.corrections import Correction, corrections
 from corollary.records.files import open_course
+from corollary.records.lms_names import LEFT_OUT, is_left_out
 from corollary.records.origin import set_of
 from corollary.records.settings import read_settings, write_language
 
@@ -43,8 +44,8 @@ def run(
     if students is None:
         return FAILS
     is_course = (course / ".corollary" / "key").exists()
-    warn_of_dates(problem_set, course=open_course(course) if is_course else None)
     warn_of_pools(problem_set)
+    warn_of_canvas(problem_set)
     warn_of_languages(problem_set)
     check_config(course)
     for problem in problem_set.problems:  # whatever can be refused is, before the first file is written
@@ -132,6 +133,12 @@ def warn_of_pools(problem_set: ProblemSet) -> None:
                 f"warning: sheets of {problem_set.name} have different totals, since the problems of a pool have unequal "
                 f"points ({each}); make them equal with weight: or points: in the set's file"
             )
+
+
+def warn_of_canvas(problem_set: ProblemSet) -> None:
+    """The set's title is one that Canvas's import of marks leaves out."""
+    if is_left_out(problem_set.title):
+        say(f"warning: {LEFT_OUT}: {problem_set.title}; give the set another title if its marks go to Canvas")
 
 
 def warn_of_languages(problem_set: ProblemSet) -> None:

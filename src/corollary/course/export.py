@@ -62,8 +62,9 @@ def sheets_for(problem_set: ProblemSet, solutions: Solutions, owners: Sequence[S
     """
     assigned: dict[str, list[Variant]] = {owner.id: [] for owner in owners}
     used: dict[str, set[int]] = {problem.code: set() for problem in problem_set.problems}
+    dealt = problem_set.deal(b"", assigned)
     for owner in owners:
-        for problem in problem_set.problems_of(b"", owner.id):
+        for problem in dealt[owner.id]:
             variant = solutions.assign_variant(problem, b"", owner.id, used[problem.code]).variant
             used[problem.code] |= set() if variant.index is None else {variant.index}
             assigned[owner.id].append(replace(variant, problem=problem))

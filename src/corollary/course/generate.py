@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, TypeVar
 
 from corollary.atomic import write_whole
@@ -28,6 +29,7 @@ from corollary.records.assignments import (
     Assigned,
     AssignedSheet,
     as_printed,
+    held_codes,
     numbers_of,
     open_record,
     printed_date,
@@ -72,6 +74,7 @@ class Makers:
     course: Course
     problem_set: ProblemSet
     solutions: Solutions
+    dealt: Mapping[str, tuple[Problem, ...]]
     pool: Workers | None = field(default=None)
 
     def draw(self, students: Sequence[str]) -> Iterator[Drawn]:
@@ -106,11 +109,16 @@ class Makers:
 
 @contextmanager
 def makers(
-    course: Course, problem_set: ProblemSet, solutions: Solutions, count: int, jobs: int | None = None
+    course: Course,
+    problem_set: ProblemSet,
+    solutions: Solutions,
+    count: int,
+    jobs: int | None = None,
+    dealt: Mapping[str, tuple[Problem, ...]] = MappingProxyType({}),
 ) -> Generator[Makers]:
-    """For so many students, in at most so many processes (None: one for each core)."""
+    """For so many students, in at most so many processes (None: one for each core). `dealt`: the problems of those to draw for."""
     most = min(jobs or cores(), -(-count // AT_ONCE))
-    here = Makers(course, problem_set, solutions)
+    here = Makers(course, problem_set, solutions, dict(dealt))
     if most < 2 or (jobs is None and count < WORTH_A_POOL):
         yield here
         return
@@ -125,7 +133,7 @@ _at_work: list[Makers] = []  # of a worker process
 
 def _start(context: Makers, language: str) -> None:
     speak(language)
-    _at_work.append(Makers(context.course, context.problem_set, context.solutions))
+    _at_work.append(Makers(context.course, context.problem_set, context.solutions, context.dealt))
 
 
 def _in_worker(work: Callable[[Makers, Sequence[T]], list[R]], part: Sequence[T]) -> list[R]:
@@ -138,7 +146,7 @@ def _draw(by: Makers, students: Sequence[str]) -> list[Drawn]:
             student,
             tuple(
                 (found.variant.index, found.redrawn)
-                for problem in by.problem_set.problems_of(by.course.key, student)
+                for problem in by.dealt[student]
                 for found in [by.solutions.assign_variant(problem, by.course.key, student, ())]
             ),
         )
@@ -205,7 +213,8 @@ def generate(
             record.students[each.student] = each.row
             # Gone before the record says otherwise: cut short here, the next run writes what the record says.
             course.notebook("release", each.student, problem_set.name).unlink(missing_ok=True)
-        with makers(course, problem_set, solutions, len(new) + len(renewed), jobs) as by:
+        dealt = problem_set.deal(course.key, new, held_codes(record))
+        with makers(course, problem_set, solutions, len(new) + len(renewed), jobs, dealt) as by:
             drawing = by.draw(
                 new
             )  # other processes begin at once; meanwhile nbgrader, which waits for the disk, is told
@@ -248,8 +257,7 @@ def _deal(
     for drawn in drawing:
         progress(f"numbers of {drawn.student}")
         row = record.students.setdefault(drawn.student, {})
-        problems = problem_set.problems_of(by.course.key, drawn.student)
-        for problem, (index, rejected) in zip(problems, drawn.draws, strict=True):
+        for problem, (index, rejected) in zip(by.dealt[drawn.student], drawn.draws, strict=True):
             in_use = used[problem.code]
             if index in in_use:  # somebody has it: the next draw that is free
                 found = by.solutions.assign_variant(problem, by.course.key, drawn.student, in_use)

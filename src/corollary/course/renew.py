@@ -13,7 +13,14 @@ from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import TWINS, Student
 from corollary.problem.variant import Variant, first_broken, index_of
-from corollary.records.assignments import Assigned, AssignedSheet, Row, numbers_of, otherwise_dated
+from corollary.records.assignments import (
+    Assigned,
+    AssignedSheet,
+    Row,
+    held_codes,
+    numbers_of,
+    otherwise_dated,
+)
 from corollary.records.editions import fingerprint
 from corollary.records.files import Course, open_course, students
 from corollary.records.submissions import submissions
@@ -98,7 +105,8 @@ def _codes(course: Course, problem_set: ProblemSet, record: Assigned, student: s
     """The problems that a student has today: those they were dealt, as long as the set deals so many of each pool."""
     dealt = [record.edition(numbers).code_now for numbers in record.students[student].values()]
     if not problem_set.is_dealt(dealt):
-        return tuple(problem.code for problem in problem_set.problems_of(course.key, student))
+        others = held_codes(record, but={student})
+        return tuple(problem.code for problem in problem_set.deal(course.key, [student], others)[student])
     return tuple(dealt if problem_set.shuffled else sorted(dealt, key=_order(problem_set)))
 
 

@@ -28,7 +28,7 @@ from corollary.notebook.locate import (
 from corollary.notebook.notebook import notebook as handed_out
 from corollary.notebook.unbound import one_line, unquoted, value_without_name
 from corollary.notebook.worksheet import Prompt, Worksheet
-from corollary.problem.problem_set import ProblemSet
+from corollary.problem.late_penalty import Delay
 from corollary.sandbox.file import Unreadable
 from corollary.sandbox.job import Cell, CellRun, ExecutionResult, Job
 from corollary.sandbox.notebook_file import Notebook
@@ -46,10 +46,10 @@ def mark(
     notebook: Notebook | Unreadable,
     runner: Runner,
     secret: bytes,
-    late: float,
+    late: Delay,
     reveal: bool = False,
 ) -> Marked:
-    """The marks of one submission; `late` in seconds; `reveal`: feedback may give right values. Never raises for what is in it."""
+    """The marks of one submission; `reveal`: feedback may give right values. Never raises for what is in it."""
     if isinstance(notebook, Unreadable):
         if notebook.machine_failed:
             return replace(not_marked(sheet, notebook.why, late), machine_failed=True)
@@ -62,16 +62,15 @@ def mark(
         _grade(sheet, keys, exercise.problem.code, notebook, executed, secret, reveal)
         for exercise in sheet.exercises
     )
-    share, trouble = late_share(sheet.problem_set, late), executed.trouble
     return Marked(
         sheet.student,
         grades,
         executed.cells,
         executed.figures,
         executed.isolation.line,
-        trouble,
-        late,
-        share,
+        executed.trouble,
+        late.seconds,
+        late.share,
         tuple(_unbound(sheet, grades, notebook)),
     )
 
@@ -226,12 +225,7 @@ def _unbound(sheet: Worksheet, grades: Iterable[Grade], notebook: Notebook) -> I
             )
 
 
-def late_share(problem_set: ProblemSet, late: float) -> float:
-    """What is kept of the marks of work that came so many seconds after the deadline."""
-    return problem_set.scheme.late if late > 0 else 1.0
-
-
-def not_marked(sheet: Worksheet, why: str, late: float) -> Marked:
+def not_marked(sheet: Worksheet, why: str, late: Delay) -> Marked:
     """A submission that could not be marked through no fault of its student: no points yet, and a person decides on every part."""
     grades = tuple(
         Grade(
@@ -243,10 +237,10 @@ def not_marked(sheet: Worksheet, why: str, late: float) -> Marked:
         )
         for exercise in sheet.exercises
     )
-    return Marked(sheet.student, grades, (), (), "", why, late, late_share(sheet.problem_set, late))
+    return Marked(sheet.student, grades, (), (), "", why, late.seconds, late.share)
 
 
-def _unreadable(sheet: Worksheet, keys: Keys, why: str, late: float) -> Marked:
+def _unreadable(sheet: Worksheet, keys: Keys, why: str, late: Delay) -> Marked:
     """A file that is no notebook: nothing can be read, every part says so, and the report asks a person to look."""
     sentence = _("The notebook could not be opened. {why}", why=why)
     grades = tuple(
@@ -259,4 +253,4 @@ def _unreadable(sheet: Worksheet, keys: Keys, why: str, late: float) -> Marked:
         )
         for exercise in sheet.exercises
     )
-    return Marked(sheet.student, grades, (), (), "", sentence, late, 1.0)
+    return Marked(sheet.student, grades, (), (), "", sentence, late.seconds, 1.0)

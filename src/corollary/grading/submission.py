@@ -17,6 +17,7 @@ from corollary.grading.solutions import Solutions
 from corollary.guard import Failure, collecting, guarded
 from corollary.messages import catalogue, spoken
 from corollary.notebook.worksheet import Worksheet, worksheet
+from corollary.problem.late_penalty import Delay
 from corollary.problem.packed_pictures import packed_file
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
@@ -45,15 +46,15 @@ CREDIT, WEIGHTS = "what the set gives for a verdict", "the weights of the proble
 
 @dataclass(frozen=True, slots=True)
 class Submission:
-    """What a student handed in: its bytes (or why there are none), the variants that the student was given, how late it is
-    in seconds, the fingerprint of all that its marks and its page depend on, whether its feedback may give right values by
+    """What a student handed in: its bytes (or why there are none), the variants that the student was given, how late it is,
+    the fingerprint of all that its marks and its page depend on, whether its feedback may give right values by
     now, the student's own deadline, earlier marks of parts that are not asked any more, and a digest of each thing that the
     marks depend on, by name."""
 
     student: Student
     content: bytes | Unreadable
     variants: tuple[Variant, ...]
-    late: float
+    late: Delay
     fingerprint: str
     reveal: bool = False
     due: datetime | None = None
@@ -138,7 +139,8 @@ def state_of(problem_set: ProblemSet, solutions: Solutions) -> str:
     Marks from two states must not meet in one gradebook unnoticed, and a process that lives long must not mark by solutions
     that have changed. Raises NotDerivable.
     """
-    about = (problem_set.scheme, problem_set.weights, __version__, *_adapted(problem_set))
+    steps = () if problem_set.late_steps is None else (problem_set.late_steps,)
+    about = (problem_set.scheme, problem_set.weights, __version__, *_adapted(problem_set), *steps)
     digest = hashlib.sha256(repr(about).encode())
     for problem in problem_set.problems:
         for content in (_words(problem), solutions.source(problem)):
@@ -150,7 +152,7 @@ def state_by_name(problem_set: ProblemSet, solutions: Solutions) -> dict[str, by
     """What `state_of` is a digest of, thing by thing, under the names that people read. Raises NotDerivable."""
     found = {
         CREDIT: repr(replace(problem_set.scheme, late=1.0)).encode(),
-        LATE_SHARE: repr(problem_set.scheme.late).encode(),
+        LATE_SHARE: repr(problem_set.late_steps or problem_set.scheme.late).encode(),
         WEIGHTS: repr((problem_set.weights, *_adapted(problem_set))).encode()
         if _adapted(problem_set)
         else repr(problem_set.weights).encode(),

@@ -15,12 +15,11 @@ from corollary.answers.verdict import Right, Unmarked
 from corollary.grading.expectations import rubric_of
 from corollary.grading.feedback import revealed
 from corollary.grading.key import Key
-from corollary.grading.marking import late_share
 from corollary.grading.part_grades import Grade, Marked, PartGrade
 from corollary.grading.points import with_points
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import LATE_SHARE, Submission
-from corollary.nbgrader.graded import GradedSubmission
+from corollary.nbgrader.graded import GradedSubmission, lateness_in_words
 from corollary.nbgrader.marked_notebook import (
     FOLDED_AWAY,
     NOBODY,
@@ -83,12 +82,13 @@ def from_record(
         if None in grades:
             return None
         marked = replace(marked, grades=tuple(each for each in grades if each is not None))
-    marked = replace(marked, late=submission.late, late_share=late_share(problem_set, submission.late))
+    marked = replace(marked, late=submission.late.seconds, late_share=submission.late.share)
     if not set(causes) <= {TIME, LATE_SHARE}:
         marked = _with_points(marked, problem_set, keys)
         _as_handed_out_now(node, problem_set, submission)
         with_rubrics(node, marked)
     facts = _with(facts, worked if submission.reveal else {}, marked, submission)
+    facts = msgspec.structs.replace(facts, late=lateness_in_words(problem_set, submission))
     return GradedSubmission(
         submission=replace(submission, content=b""),
         marked=marked,

@@ -21,6 +21,7 @@ from corollary.grading.submission import (
 from corollary.guard import Failure, guarded
 from corollary.messages import language
 from corollary.nbgrader.marked_notebook import answer_digest, marked_notebook, notebook_text, part_grades
+from corollary.problem.late_penalty import delay_in_words
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.manual_marks import OfStudent
 from corollary.records.marks import Record, record_of, with_manual
@@ -72,6 +73,12 @@ def not_graded(context: GradingContext, submission: Submission, why: str = "") -
     return graded(context.problem_set, submission, left_to_a_person(context, submission, why))
 
 
+def lateness_in_words(problem_set: ProblemSet, submission: Submission) -> str:
+    """What the student reads of the own delay where the set takes points off by steps; else empty."""
+    steps, due = problem_set.late_steps, submission.due
+    return "" if steps is None or due is None else delay_in_words(steps, due, submission.late)
+
+
 def graded(problem_set: ProblemSet, submission: Submission, found: MarkedSubmission) -> GradedSubmission:
     """All that is to be written of marked work."""
     marked = found.marked
@@ -81,6 +88,7 @@ def graded(problem_set: ProblemSet, submission: Submission, found: MarkedSubmiss
         solutions=found.worked_solutions,
         due=submission.due,
         rubric=submission.rubric,
+        late=lateness_in_words(problem_set, submission),
     )
     node = marked_notebook(marked, problem_set, found.notebook)
     return GradedSubmission(

@@ -272,9 +272,8 @@ def _title(sheet: Worksheet) -> str:
     if about.due is not None:
         facts.append(_("due {moment}", moment=in_words(about.due)))
     facts.append(points(sum(prompt.out_of for prompt in sheet.prompts)))
-    return f"# {about.title}\n\n{' · '.join(facts)}" + (
-        f"\n\n{about.introduction}" if about.introduction else ""
-    )
+    texts = (f"# {about.title}", " · ".join(facts), about.late_rule, about.introduction)
+    return "\n\n".join(filter(None, texts))
 
 
 def _heading(exercise: Exercise) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from datetime import UTC, date, datetime, time, tzinfo
 from pathlib import Path
 from typing import Literal
@@ -48,14 +47,6 @@ HOW_TO_WRITE = (
     "write it as 2026-12-04 (the end of that day), 2026-12-04 18:00, or with a zone, 2026-12-04T18:00+01:00"
 )
 _UTC_BY_NAME = {"UTC", "Etc/UTC", "Etc/UCT", "Etc/Universal", "Etc/Zulu", "GMT", "Etc/GMT"}
-
-
-@dataclass(frozen=True, slots=True)
-class Usual:
-    """What holds in a course for every set that does not say otherwise; `zone` None: the machine's own."""
-
-    zone: tzinfo | None = None
-    reveal: Reveal = "no"
 
 
 def moment(text: str, zone: tzinfo | None = None, *, end_of_day: bool = True) -> datetime | None:

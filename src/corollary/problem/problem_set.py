@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections import Counter
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
-from datetime import datetime
+from datetime import UTC, datetime, tzinfo
 from fractions import Fraction
 from pathlib import Path
 
 from corollary.messages import did_you_mean
 from corollary.plug_ins import PlugInFault
 from corollary.problem.bank import CHAPTER, Bank, UnknownCode, bank_around, find, open_bank
-from corollary.problem.dates import HOW_TO_WRITE, REVEAL, Reveal, Usual, moment
+from corollary.problem.dates import HOW_TO_WRITE, REVEAL, Reveal, moment
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Node, Reader, TableNode, TextNode, split
+from corollary.problem.late_penalty import IN_TIME, Delay, LateSteps, read_late_steps, rule_in_words
 from corollary.problem.packed_pictures import packed
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
@@ -26,11 +28,13 @@ MOST_POINTS = 1000
 
 @dataclass(frozen=True, slots=True)
 class Pool:
-    """Any `count` of the problems with these codes, other ones for each student; `line` is where the set says so."""
+    """Any `count` of the problems with these codes, other ones for each student; `equally`: each to equally many students.
+    `line` is where the set says so."""
 
     count: int
     codes: tuple[str, ...]
     line: int = 0
+    equally: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +54,11 @@ def read_problems(bank: Bank, front: Reader) -> Listed:
     for node in front.list_of("problems"):
         if isinstance(node, TableNode) and "any" in node.entries:
             row = Reader(front.path, node, "a pool of the set", front.complaints)
-            count = row.fraction("any")
+            count, (deal, deal_line) = row.fraction("any"), row.line_of("deal", "at random")
+            if deal not in {"at random", "equally"}:
+                row.complain(
+                    deal_line, f"deal: {deal}: say equally (each problem to equally many) or at random"
+                )
             named = list(row.list_of("of"))
             members = [each for one in named for each in _listed(bank, usual, front, one, chosen)]
             row.finish()
@@ -59,7 +67,9 @@ def read_problems(bank: Bank, front: Reader) -> Listed:
                     node.line,
                     f"any: {count} of {len(named)} problems; a pool deals some of its problems, at least one and not all",
                 )
-            pools.append(Pool(int(count or 1), tuple(each.code for each in members), node.line))
+            pools.append(
+                Pool(int(count or 1), tuple(each.code for each in members), node.line, deal == "equally")
+            )
         else:
             list(_listed(bank, usual, front, node, chosen))
     problems, weights = zip(*chosen, strict=True) if chosen else ((), ())
@@ -150,6 +160,17 @@ def _adapted(problem: Problem, row: Reader) -> Problem:
 
 
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,79}$")
+
+
+@dataclass(frozen=True, slots=True)
+class Usual:
+    """What holds in a course for every set that does not say otherwise; `zone` None: the machine's own."""
+
+    zone: tzinfo | None = None
+    reveal: Reveal = "no"
+    late_steps: LateSteps | None = None
+
+
 USUAL = Usual()
 
 
@@ -171,7 +192,7 @@ class Scheme:
 class ProblemSet:
     """`weights` multiply the points of each problem's parts; `due` and `opens` are moments with a zone, or None. `problems` has
     those of all `pools`, of which a student gets some; `shuffled`: each in an order of their own. `tries` is how many hand-ins
-    count, None for any number. `file` is the file it was read from."""
+    count, None for any number. `file` is the file it was read from. `late_steps`: None where late work keeps one share."""
 
     name: str
     title: str
@@ -187,6 +208,19 @@ class ProblemSet:
     shuffled: bool = False
     tries: int | None = None
     file: Path | None = None
+    late_steps: LateSteps | None = None
+
+    def delay(self, due: datetime, when: datetime) -> Delay:
+        """How late a hand-in at a moment is for who has this deadline, and what is left of its marks."""
+        if self.late_steps is not None:
+            return self.late_steps.delay(due, when)
+        seconds = (when.astimezone(UTC) - due.astimezone(UTC)).total_seconds()
+        return Delay(seconds, 0, self.scheme.late, "late") if seconds > 0 else IN_TIME
+
+    @property
+    def late_rule(self) -> str:
+        """What students read of steps below the deadline; empty where there are none."""
+        return "" if self.late_steps is None or self.due is None else rule_in_words(self.late_steps, self.due)
 
     def weight(self, problem: Problem) -> float:
         """1 for a problem that is no longer in the set."""
@@ -207,19 +241,35 @@ class ProblemSet:
         """What a problem is out of."""
         return sum(part.points for part in problem.parts) * self.weight(problem)
 
-    def problems_of(self, key: bytes, student: str) -> tuple[Problem, ...]:
-        """What a student gets when the set is generated: of each pool as many as it deals, by the course's key."""
+    def deal(
+        self, key: bytes, students: Iterable[str], before: Iterable[Collection[str]] = ()
+    ) -> dict[str, tuple[Problem, ...]]:
+        """What students get when the set is generated: of each pool as many as it deals, by the course's key.
 
-        def rank(word: str, code: str) -> int:
-            return digest(key, word, self.name, student, code)
+        `before` are the codes that others have already, which count where a pool is dealt equally.
+        """
+        held = Counter(code for codes in before for code in codes)
 
-        left_out = {
-            code
-            for pool in self.pools
-            for code in sorted(pool.codes, key=lambda code: rank("pool", code))[pool.count :]
-        }
-        chosen = [problem for problem in self.problems if problem.code not in left_out]
-        return tuple(sorted(chosen, key=lambda each: rank("order", each.code)) if self.shuffled else chosen)
+        def problems_of(student: str) -> tuple[Problem, ...]:
+            def rank(word: str, code: str) -> int:
+                return digest(key, word, self.name, student, code)
+
+            left_out: set[str] = set()
+            for pool in self.pools:
+                in_order = sorted(pool.codes, key=lambda code: rank("pool", code))
+                if pool.equally:
+                    in_order.sort(key=held.__getitem__)
+                held.update(in_order[: pool.count])
+                left_out.update(in_order[pool.count :])
+            chosen = [problem for problem in self.problems if problem.code not in left_out]
+            return tuple(
+                sorted(chosen, key=lambda each: rank("order", each.code)) if self.shuffled else chosen
+            )
+
+        students = tuple(students)
+        turns = sorted(students, key=lambda student: digest(key, "turn", self.name, student))
+        dealt = {student: problems_of(student) for student in turns}
+        return {student: dealt[student] for student in students}
 
     def is_dealt(self, codes: Collection[str]) -> bool:
         """Whether these problems, and no other, may be a student's: all that are in no pool, and of each pool what it deals."""
@@ -301,7 +351,9 @@ def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
     if order not in {"fixed", "shuffled"}:
         front.complain(order_line, f"order: {order}: say fixed (as listed) or shuffled (for each student)")
     tries = _tries(front)
-    scheme = _scheme(path, front.table_of("credit"), complaints)
+    credit = front.table_of("credit")
+    scheme = _scheme(path, credit, complaints)
+    late_steps = _late_steps(front, credit, due, scheme.late, usual)
     listed = read_problems(bank, front)
     front.finish()
     if not front.list_of("problems"):
@@ -326,7 +378,18 @@ def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
         order == "shuffled",
         tries,
         path,
+        late_steps,
     )
+
+
+def _late_steps(
+    front: Reader, credit: TableNode, due: datetime | None, share: float, usual: Usual
+) -> LateSteps | None:
+    """The set's own steps, else the course's where the set gives no share of its own."""
+    table = front.table_of("late")
+    if "late" in front.table.entries:
+        return read_late_steps(front, table, due, share)
+    return None if "late" in credit.entries else usual.late_steps
 
 
 def _tries(front: Reader) -> int | None:

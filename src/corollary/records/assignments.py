@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from fractions import Fraction
@@ -373,6 +373,15 @@ def date_corrections(problem_set: ProblemSet, record: Assigned) -> Iterator[tupl
         whose.setdefault(sentence, []).append(student)
     for sentence, students in whose.items():
         yield sentence, tuple(students)
+
+
+def held_codes(record: Assigned, but: Collection[str] = ()) -> list[list[str]]:
+    """The codes of the problems that each student has, as they are called now; of all `but` some."""
+    return [
+        [record.edition(numbers).code_now for numbers in row.values()]
+        for student, row in record.students.items()
+        if student not in but
+    ]
 
 
 def _is_other(due: datetime | None, record: Assigned, student: str) -> bool:

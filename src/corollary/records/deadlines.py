@@ -11,6 +11,7 @@ import msgspec
 
 from corollary.atomic import write_whole
 from corollary.problem.dates import Reveal
+from corollary.problem.late_penalty import LateSteps
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assignments import printed_dates
 from corollary.records.files import Course, NotACourse
@@ -45,6 +46,7 @@ class Deadlines:
     by_hand: bool = False
     rubric: bool = False
     printed: Mapping[str, datetime] = field(default_factory=dict[str, datetime])
+    late_steps: LateSteps | None = None
 
     def of(self, student: str) -> datetime | None:
         """A student's own deadline: an extension never shortens what everybody has, and nobody is late before the moment
@@ -74,11 +76,16 @@ class Deadlines:
     def terms(self, student: str, now: datetime) -> Terms:
         """What holds for a student at a moment."""
         due, excused = self.of(student), self.excused(student)
-        until = {"no": None, "by hand": None, "after due": due, "after extensions": self.last}[self.reveal]
+        own, everybody = self._closes(due), self._closes(self.last)
+        until = {"no": None, "by hand": None, "after due": own, "after extensions": everybody}[self.reveal]
         revealed = self.reveal in {"after due", "after extensions"} and (until is None or now > until)
-        over = self.last if self.reveal == "after extensions" else due
+        over = everybody if self.reveal == "after extensions" else own
         rubric = self.rubric and (over is None or now > over)
         return Terms(due, excused, revealed or (self.reveal == "by hand" and self.by_hand), rubric)
+
+    def _closes(self, due: datetime | None) -> datetime | None:
+        """When what was handed in could still earn all of its points, or with a last day anything, is over."""
+        return due if due is None or self.late_steps is None else self.late_steps.closes(due)
 
     def excused(self, student: str) -> bool:
         return self.extensions.get(student, Extension()).excused
@@ -95,7 +102,9 @@ def read_deadlines(course: Course, problem_set: ProblemSet) -> Deadlines:
     name = problem_set.name
     own = read_extensions(course, name)
     by_hand, printed = _revealed(course, name).exists(), printed_dates(course, problem_set)
-    return Deadlines(problem_set.due, problem_set.reveal, own, by_hand, problem_set.rubric, printed)
+    return Deadlines(
+        problem_set.due, problem_set.reveal, own, by_hand, problem_set.rubric, printed, problem_set.late_steps
+    )
 
 
 def read_extensions(course: Course, set_name: str) -> dict[str, Extension]:

@@ -22,7 +22,18 @@ CANVAS_TEXT = re.compile(r"(?P<name>[^_/]+)(?P<late>_LATE)?_(?P<user>\d+)_(?:tex
 AGAIN = re.compile(r"(?:[ _]?\((\d{1,6})\)|[ _-]+(?:copy|kopi|kopie|copie)|-(\d{1,6}))$", re.IGNORECASE)
 NAMELESS = ("participant", "teilnehm", "deltak", "anon")  # in the place of a name where marking is blind
 CANVAS_IDS = ("ID", "SIS User ID", "SIS Login ID")  # in the order of Canvas's gradebook
+# Columns of Canvas's own, whatever else is in the title: its import leaves them out, and says nothing.
+_CANVAS_OWN = (
+    re.compile(r"\b(?:current|final|override)\b"),
+    re.compile(r"\b(?:scores?|points?|grades?|status)\b"),
+)
+LEFT_OUT = "Canvas leaves out a column with Final, Current or Override and Score, Points, Grade or Status in its title"
 UNSAFE = re.compile(r'[\x00-\x1f/\\:*?"<>|_]+')
+
+
+def is_left_out(title: str) -> bool:
+    """True if Canvas takes a column of this title for one of its own."""
+    return all(word.search(title.casefold()) for word in _CANVAS_OWN)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,8 +11,11 @@ from typing import Any
 
 from corollary.atomic import write_whole
 from corollary.messages import did_you_mean, languages
-from corollary.problem.dates import REVEAL, Usual, machine_zone, zone_named
+from corollary.problem.dates import REVEAL, machine_zone, zone_named
 from corollary.problem.diagnostic import Diagnostic, Malformed
+from corollary.problem.front_matter import Reader, TableNode, TextNode
+from corollary.problem.late_penalty import LateSteps, read_late_steps
+from corollary.problem.problem_set import Usual
 
 FILE = "corollary.toml"
 TEXT = """\
@@ -28,6 +31,9 @@ TEXT = """\
 # "no", "after due" (each student after the own deadline), "after extensions" (nobody before the last deadline),
 # or "by hand" (after corollary grade SET --reveal).
 # reveal = "no"
+
+# Late work, in sets that say nothing themselves: a grace period, what each calendar day takes, and the last day that counts.
+# late = {{grace = "12 hours", daily = "10 %", least = "50 %", last = "7 days"}}
 
 # Grading: the lowest isolation level to run notebooks at (0 to 3), how many to mark side by side (as many as there are
 # cores when left out), or the Dask cluster to mark on.
@@ -55,12 +61,13 @@ class Settings:
     executor: str = ""
     formgrader: str = ""
     language: str = ""
+    late: LateSteps | None = None
 
     @property
     def usual(self) -> Usual:
         """What holds for its sets."""
         zone = zone_named(self.timezone) if self.timezone else None
-        return Usual(zone or machine_zone(), REVEAL[self.reveal or "no"])
+        return Usual(zone or machine_zone(), REVEAL[self.reveal or "no"], self.late)
 
 
 def read_settings(folder: Path) -> Settings:
@@ -85,7 +92,20 @@ def read_settings(folder: Path) -> Settings:
     ]
     if complaints:
         raise Malformed(complaints)
-    return Settings(**_with_bank(folder, table))
+    late = table.pop("late", None)
+    steps = None if late is None else _late_steps(path, late, _line(text, "late"))
+    return Settings(**_with_bank(folder, table), late=steps)
+
+
+def _late_steps(path: Path, table: Mapping[str, object], line: int) -> LateSteps:
+    """Raises Malformed."""
+    complaints: list[Diagnostic] = []
+    node = TableNode({name: TextNode(str(value), line) for name, value in table.items()}, line)
+    front = Reader(path, node, "the settings", complaints)
+    found = read_late_steps(front, node, None, 1.0)
+    if complaints:
+        raise Malformed(complaints)
+    return found
 
 
 def write_settings(folder: Path) -> None:
@@ -173,6 +193,11 @@ def _language(value: object) -> str:
     return "" if value in have else f"language: {value}: the texts are there in {', '.join(have)}"
 
 
+def _late(value: object) -> str:
+    right = isinstance(value, dict)
+    return "" if right else f'late: {value}: give a table, as late = {{daily = "10 %", last = "7 days"}}'
+
+
 CHECKS: dict[str, Callable[[object], str]] = {
     "timezone": _timezone,
     "bank": _bank,
@@ -182,4 +207,5 @@ CHECKS: dict[str, Callable[[object], str]] = {
     "executor": _executor,
     "formgrader": _formgrader,
     "language": _language,
+    "late": _late,
 }

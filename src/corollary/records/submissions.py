@@ -18,6 +18,7 @@ from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, 
 from corollary.atomic import write_whole
 from corollary.grading.part_grades import Grade, PartGrade
 from corollary.messages import few, visible
+from corollary.problem.late_penalty import IN_TIME, Delay
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.assignments import AssignedSheet
@@ -132,12 +133,12 @@ class GuessedTime(msgspec.Struct, frozen=True, omit_defaults=True):
     after_due: bool = False
 
 
-def lateness(course: Course, problem_set: ProblemSet, student: str, terms: Terms) -> float:
-    """Seconds after the student's own deadline by timestamp.txt; 0 in time, for who is excused, and where the time is a guess."""
+def lateness(course: Course, problem_set: ProblemSet, student: str, terms: Terms) -> Delay:
+    """The delay after the student's own deadline by timestamp.txt; none for who is excused, and where the time is a guess."""
     when = stated(course, problem_set.name, student)
     if when is None or terms.due is None or terms.excused or guessed_time(course, problem_set.name, student):
-        return 0.0
-    return max(0.0, (when - terms.due.astimezone(UTC)).total_seconds())
+        return IN_TIME
+    return problem_set.delay(terms.due, when)
 
 
 def handed_in(course: Course, set_name: str, student: str) -> datetime | None:

@@ -75,7 +75,7 @@ class ExerciseFacts(msgspec.Struct, frozen=True):
 
 class PageFacts(msgspec.Struct, frozen=True):
     """A whole page; `stopped` names the cells that stopped and why, `not_run` counts those that were not reached; `due` is the
-    student's own deadline in words."""
+    student's own deadline in words, `late` how the delay was reckoned."""
 
     set_title: str
     student: str
@@ -84,6 +84,7 @@ class PageFacts(msgspec.Struct, frozen=True):
     stopped: tuple[tuple[str, str], ...] = ()
     not_run: int = 0
     due: str = ""
+    late: str = ""
 
 
 def page_facts(
@@ -93,6 +94,7 @@ def page_facts(
     solutions: Mapping[str, str] | None = None,
     rubric: bool = False,
     due: datetime | None = None,
+    late: str = "",
 ) -> PageFacts:
     """`due` is the student's own deadline. `solutions` gives the worked solution (Markdown, with the student's numbers) by problem code; None shows none. `rubric`:
     by what a person marks stands beside the answer."""
@@ -112,6 +114,7 @@ def page_facts(
         tuple(_stopped(run, parts) for run in marked.runs if run.status in {"error", "timeout"}),
         sum(run.status == "not run" for run in marked.runs),
         "" if due is None else in_words(due),
+        late,
     )
 
 
@@ -320,7 +323,7 @@ def feedback_notebook(facts: PageFacts, record: Record) -> str:
         f"# {_literal(facts.set_title)}",
         _("Feedback for {name}", name=_literal(facts.student)),
         f"**{earned(record.points)}** {total}",
-        *(_literal(note) for note in (record.trouble, *record.notes) if note),
+        *(_literal(note) for note in (facts.late, record.trouble, *record.notes) if note),
     ]
     texts = ["\n\n".join(cells)]
     for marked in marked_exercises(facts, record):

@@ -108,4 +108,5 @@ def facts(sheet: Worksheet) -> list[str]:
     words = [sheet.student.name] if sheet.student.id else []
     if due is not None:
         words.append(_("due {date}", date=in_words(due)))
-    return [*words, points_earned(sum(prompt.out_of for prompt in sheet.prompts))]
+    words.append(points_earned(sum(prompt.out_of for prompt in sheet.prompts)))
+    return [*words, *filter(None, [sheet.problem_set.late_rule])]

@@ -14,6 +14,7 @@ from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import filled_in
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank, find
+from corollary.problem.late_penalty import IN_TIME
 from corollary.problem.problem_set import read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
@@ -56,7 +57,7 @@ def marked(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., V
                 node.cells.insert(2, nbformat.v4.new_code_cell(new.replace("DRAW", drawing)))
             book = notebook_of(nbformat.writes(node).encode())
             assert isinstance(book, Notebook)
-            (grade,) = mark(sheet, keys, book, runner, b"secret", 0.0).grades
+            (grade,) = mark(sheet, keys, book, runner, b"secret", IN_TIME).grades
             return next(part.verdict for part in grade.parts if part.part.id == "a")
 
         yield verdict

@@ -169,6 +169,7 @@ def typst_opening(paper: PaperSheet, title: str, *, key: bool = False) -> str:
     sheet = paper.worksheet
     total = points_earned(sum(prompt.out_of for prompt in sheet.prompts))
     due = [_("due {date}", date=in_words(sheet.problem_set.due))] if sheet.problem_set.due and not key else []
+    rule = [sheet.problem_set.late_rule] if sheet.problem_set.late_rule and not key else []
     if sheet.student.id and not paper.form:
         names = f"#strong[{words_of(paper.owner)}]"
     else:
@@ -178,7 +179,7 @@ def typst_opening(paper: PaperSheet, title: str, *, key: bool = False) -> str:
     form = f"[{words_of(paper.form)}]" if paper.form else "none"
     alt = _("QR code: {text}", text=address)
     return (
-        f"#opening([{words_of(title)}], [{words_of(' · '.join([*due, total]))}], [{names}], {form}, "
+        f"#opening([{words_of(title)}], [{words_of(' · '.join([*due, total, *rule]))}], [{names}], {form}, "
         f"{literal(code_svg(address))}, {literal(alt)})"
     )
 

@@ -9,12 +9,10 @@ from collections.abc import Iterator
 from corollary.messages import few
 from corollary.problem.csv_table import table_text
 from corollary.problem.roster import Student
-from corollary.records.lms_names import CANVAS_IDS, canvas_ids
+from corollary.records.lms_names import CANVAS_IDS, LEFT_OUT, canvas_ids, is_left_out
 from corollary.records.marks_table import MarksTable
 from corollary.render.exports import MarksText, Target
 
-# Columns of Canvas's own, by any of these words anywhere in a title.
-NO_ASSIGNMENT = re.compile("(Current|Final) (Score|Points|Grade)|Override (Score|Grade|Status)")
 NUMBER_OF_ANOTHER = re.compile(r"\s\(\d+\)\Z")
 
 
@@ -38,7 +36,7 @@ def write_marks(table: MarksTable) -> MarksText:
         if each not in absent
     )
     by_name = [each.name for each in table.students if not canvas_ids(each) and each not in absent]
-    overlooked = [column.title for column in table.columns if NO_ASSIGNMENT.search(column.title)]
+    overlooked = [column.title for column in table.columns if is_left_out(column.title)]
     numbered = [column.title for column in table.columns if NUMBER_OF_ANOTHER.search(column.title)]
     excused = {student for column in table.columns for student in column.excused}
     freed = [each.name for each in table.students if each.id in excused and each not in absent]
@@ -51,7 +49,7 @@ def _notes(
     by_name: list[str], namesakes: bool, overlooked: list[str], numbered: list[str], excused: list[str]
 ) -> Iterator[str]:
     if overlooked:
-        yield f"Canvas leaves out a column with such words in its title: {few(overlooked)}; give the set another title"
+        yield f"{LEFT_OUT}: {few(overlooked)}; give the set another title"
     if numbered:
         yield (
             "Canvas takes a number in brackets at the end of a title for that of an assignment, which then gets the marks: "
