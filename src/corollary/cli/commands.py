@@ -20,6 +20,7 @@ from corollary.cli.parameters import (
     COURSE,
     EXPORTED,
     EXTENDED,
+    FORGOTTEN,
     FORMAT,
     GENERATED_BANK,
     JSON,
@@ -38,6 +39,7 @@ from corollary.cli.parameters import (
     VERIFYING_CLUSTER,
     WAY_OUT,
     WHAT_CAME,
+    WHOLE_COURSE,
     all_when_left_out,
     flag,
     path,
@@ -283,6 +285,15 @@ command(
     JSON,
 )
 command(
+    "forget",
+    "Take one student's data out of the course: files, records, gradebook, archives, the exchange.",
+    FORGOTTEN,
+    COURSE,
+    flag("--dry-run", "Show every place that holds something of the student, and change nothing."),
+    flag("--yes", "Take it out without asking."),
+    JSON,
+)
+command(
     "mark",
     "Mark by hand, all answers to one part together, on a local page.",
     SET,
@@ -322,8 +333,13 @@ command(
     path("--pyodide", text="site: the unpacked npm package pyodide; it is fetched when left out."),
     SOLUTION,
     *PRINTED_AND_MARKED,
+    *WHOLE_COURSE,
     path("--ids", text="feedback-zip: the students' numbers in Moodle or Canvas, as for release."),
-    path("--output", "-o", text="The folder for the files; export/ when left out."),
+    path(
+        "--output",
+        "-o",
+        text="The folder for the files; export/ when left out. With --person or --archive: the file.",
+    ),
     JSON,
 )
 command(

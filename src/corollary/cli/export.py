@@ -54,6 +54,14 @@ class Made:
 
 
 def run(**given: Unpack[ExportOptions]) -> int:
+    if given["person"] is not None or given["archive"]:
+        from corollary.cli.export_course import run as export_course  # here, since it reads every file
+
+        return export_course(given)
+    if not given["to"]:
+        refuse("say what to write with --to TARGET, or take a whole course with --person or --archive")
+    if given["keep_until"] is not None:
+        refuse("--keep-until is for --archive; leave it out")
     chosen, names = target(given["to"]), list(dict.fromkeys(given["sets"]))
     refuse_what_is_for_others(chosen, given)
     if chosen.site:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from datetime import datetime
 from pathlib import Path
 from typing import TypedDict
 
@@ -17,7 +18,10 @@ class ExportOptions(TypedDict):
     """As they were given; `sets` are also codes and topics, and for a site the folder behind them."""
 
     sets: Sequence[str]
-    to: str
+    to: str | None
+    person: str | None
+    archive: bool
+    keep_until: datetime | None
     course: Path | None
     roster: Path | None
     bank: Path | None

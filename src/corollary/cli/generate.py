@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 
 from corollary.cli.ending import FAILS, HOLDS, agreed, answer, refuse, say
+from corollary.cli.pool_points import warn_of_pools
 from corollary.cli.terminal import bar, console
 from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, with_name
 from corollary.course.generate import Generated, generate
+from corollary.course.personal_data import was_forgotten
 from corollary.course.renew import Renewals, RosterChange, renewals, roster_change, students_before
 from corollary.extras import installing
 from corollary.grading.solutions import Solutions
@@ -20,7 +23,7 @@ from corollary.problem.roster import Student, ids_heading, read_roster
 from corollary.problem.translation import translation
 from corollary.records.assignments import open_record, sheets
 from corollary.records.corrections import Correction, corrections
-from corollary.records.files import open_course
+from corollary.records.files import Course, open_course
 from corollary.records.lms_names import LEFT_OUT, is_left_out
 from corollary.records.origin import set_of
 from corollary.records.settings import read_settings, write_language
@@ -53,6 +56,7 @@ def run(
     found, plan = list[Correction](), Renewals((), ())
     if is_course:
         opened = open_course(course)
+        warn_of_forgotten(opened, students)
         record = open_record(opened, problem_set)
         if not names_settled(opened, problem_set, record, yes, not_renamed):
             return FAILS
@@ -121,20 +125,6 @@ def run(
     return HOLDS
 
 
-def warn_of_pools(problem_set: ProblemSet) -> None:
-    """The problems of a pool earn different points, so that not every sheet is out of the same."""
-    for pool in problem_set.pools:
-        dealt = {
-            each.code: problem_set.points(each) for each in problem_set.problems if each.code in pool.codes
-        }
-        if len(set(dealt.values())) > 1:
-            each = ", ".join(f"{code} {most:g}" for code, most in dealt.items())
-            say(
-                f"warning: sheets of {problem_set.name} have different totals, since the problems of a pool have unequal "
-                f"points ({each}); make them equal with weight: or points: in the set's file"
-            )
-
-
 def warn_of_canvas(problem_set: ProblemSet) -> None:
     """The set's title is one that Canvas's import of marks leaves out."""
     if is_left_out(problem_set.title):
@@ -161,6 +151,15 @@ def _whose_own(made: Generated) -> str:
         f"Each student has different numbers, except in {which}, where some share them: "
         "finer steps of the givens give more variants"
     )
+
+
+def warn_of_forgotten(course: Course, students: Sequence[Student]) -> None:
+    """Students of the roster whose data was taken out of the course."""
+    if again := [each.id for each in students if was_forgotten(course, each.id)]:
+        say(
+            f"warning: removed with corollary forget, and on the roster: {few(again, 10)}; they get new sheets. "
+            "Take them off the roster if they are not to be in the course"
+        )
 
 
 def _set(name: str, course: Path, bank: Path | None) -> tuple[Bank, ProblemSet]:

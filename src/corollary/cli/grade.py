@@ -10,6 +10,7 @@ from typing import Any
 import msgspec
 
 from corollary.cli.ending import FAILS, HOLDS, agreed, answer, say
+from corollary.cli.pool_points import warn_of_pools
 from corollary.cli.terminal import console, countdown
 from corollary.cli.told_dates import reveal_now, warn_of_grading_early, warn_of_printed_dates
 from corollary.course.grade import Outcome, grade_set
@@ -43,6 +44,7 @@ def run(
     if reveal:
         reveal_now(opened, problem_set, dry_run)
     warn_of_grading_early(opened, problem_set)
+    warn_of_pools(problem_set)
     warn_of_printed_dates(opened, problem_set)
     with one_writer(opened), countdown(f"grading {problem_set.name}") as progress:
         done = grade_set(

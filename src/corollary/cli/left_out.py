@@ -90,7 +90,11 @@ def _has_room_for_a_course(options: Mapping[str, Any]) -> bool:
 
     What is exported for everybody has no numbers of a course; of a site a course only says what is not due yet.
     """
+    if options.get("person") or options.get("archive"):
+        return True
     if "apart" in options:
+        if not options["to"]:
+            return False
         from corollary.render.exports import target  # only here: it is about to be loaded
 
         if (made := target(options["to"])).site or made.items is not None:

@@ -204,6 +204,10 @@ EXTENDED = (
         ["date"], nargs=-1, metavar="[DATE]", help="2026-12-11 (the end of that day), or 2026-12-11 18:00."
     ),
 )
+# Whose data is taken out.
+FORGOTTEN = click.Argument(
+    ["student"], help="The student's id, email, or number in an LMS.", shell_complete=STUDENTS
+)
 # What a new problem is called, and what it begins as.
 NEW = (
     click.Argument(["code"], help="The new problem's code: Q1"),
@@ -222,6 +226,16 @@ LISTED = (
         help="The column to sort by.",
     ),
 )
+# What of a whole course leaves it in one file.
+WHOLE_COURSE = (
+    text("--person", "All that the course holds of this student, as a zip file (-o FILE.zip).", STUDENTS),
+    flag("--archive", "The course as a zip file (-o FILE.zip), without what can be made again."),
+    click.Option(
+        ["--keep-until"],
+        type=click.DateTime(["%Y-%m-%d"]),
+        help="--archive: the day until which it is to be stored; corollary doctor says when it has passed.",
+    ),
+)
 # What of a set is exported, and as what.
 EXPORTED = (
     click.Argument(
@@ -234,7 +248,6 @@ EXPORTED = (
     ),
     TargetOption(
         ["--to"],
-        required=True,
         metavar="TARGET",
         help="Sheets or marks, written as one of:",
         shell_complete=TARGETS,

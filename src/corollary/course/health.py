@@ -13,6 +13,7 @@ from importlib.metadata import PackageNotFoundError, distribution, version
 from pathlib import Path
 
 from corollary import user_cache
+from corollary.course.term_archive import archive_findings
 from corollary.extras import installing
 from corollary.nbgrader.nbgrader_health import nbgrader_findings
 from corollary.parallel import cores
@@ -117,6 +118,7 @@ def findings(folder: Path | None) -> Iterator[Finding]:
     if folder is not None:
         course, settings, found = of_course(folder)
         yield from found
+    yield from archive_findings(folder)
     yield _isolation(settings)
     yield from nbgrader_findings(course)
     yield from _places(folder)
