@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import html
 import re
+from dataclasses import replace
 from xml.etree import ElementTree as Xml
 
 import pytest
@@ -15,7 +16,7 @@ from corollary.problem.bank import chapter_bank, home
 from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import at
 from corollary.render.exports import target
-from corollary.render.lms_item import LmsItem, item
+from corollary.render.lms_item import ChoiceAsked, LmsItem, NumbersAsked, item
 
 SOLUTIONS = Solutions(chapter_bank())
 USUAL = Scheme()
@@ -136,3 +137,44 @@ def test_the_rule_for_decimals_is_in_the_language_of_the_question():
         (_, question) = questions(of("X12.5"))
     assert "Dezimalkomma" in text(question)
     assert "decimal point" in text(questions(of("X12.5"))[1])
+
+
+# Moodle 4 and 5, question/type/multianswer/questiontype.php: what it takes for a field, and for the parts of an alternative.
+FRACTION, ANSWER, REMARK = (
+    r"=|%(?:-?[0-9]+(?:[.,][0-9]*)?)%",
+    r".+?(?<!\\|&)(?=[~#}]|$)",
+    r".*?(?<!\\)(?=[~}]|$)",
+)
+ONE = rf"({FRACTION})?(?P<answer>{ANSWER})(?:#(?P<remark>{REMARK}))?"
+MORE = rf"(?:{FRACTION})?(?:{ANSWER})(?:#(?:{REMARK}))?"
+EMBEDDED = re.compile(
+    rf"\{{\s*([0-9]*)\s*:\s*(NUMERICAL|NM|MULTICHOICE|MCV|MC|SA)\s*:(?P<all>{MORE}(?:~{MORE})*)\}}"
+)
+NASTY = 'a {b} ~ c = d # e "f" / g \\ h %50% {1:NM:=2} {#1} & {:SA:=x}'
+
+
+def test_moodle_finds_our_fields_and_no_others_whatever_the_texts_hold():
+    """Statement, title, option and feedback have every sign that means something to Moodle's parser, as code."""
+    made, literal = of("X12.11"), f"`{NASTY}`"
+    parts = [each for each in made.parts if isinstance(each, NumbersAsked | ChoiceAsked)]
+    (choice,) = (each for each in parts if isinstance(each, ChoiceAsked))
+    first, *others = choice.options
+    nasty = replace(first, option=replace(first.option, text=literal), feedback=literal)
+    asked = replace(choice, options=(nasty, *others))
+    exercise = replace(made.exercise, statement=literal)
+    item_of = replace(
+        made, exercise=exercise, parts=tuple(asked if each is choice else each for each in made.parts)
+    )
+    (_, question) = questions(item_of)
+    whole = text(question)
+    assert NASTY in html.unescape(whole)
+    assert not re.search(r"\{#\d", whole)
+    found = list(EMBEDDED.finditer(whole))
+    assert len(found) == sum(len(each.components) if isinstance(each, NumbersAsked) else 1 for each in parts)
+    (field,) = (each for each in found if each[2] == "MCV")
+    alternatives = list(re.finditer(rf"~?{ONE}", field["all"]))
+    assert len(alternatives) == len(asked.options)
+    shown = alternatives[0]
+    assert [html.unescape(html.unescape(shown[name])) for name in ("answer", "remark")] == 2 * [
+        f"<code>{NASTY}</code>"
+    ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import runpy
 import zlib
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -21,7 +22,13 @@ from corollary.problem.roster import Student
 from corollary.problem.variant import at, chapter
 from corollary.render.exports import target
 from corollary.render.paper.print_run import PrintRun
-from corollary.render.paper.sheet import PaperSheet, code_svg, sheet_address, typst_sheet
+from corollary.render.paper.sheet import (
+    PaperSheet,
+    code_svg,
+    sheet_address,
+    typst_sheet,
+    with_printable_names,
+)
 from corollary.render.paper.typst import CannotTypeset, pdf, typst_formula, typst_text, words_of
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
@@ -93,6 +100,18 @@ def test_no_name_and_no_text_is_markup(text: str):
 def test_a_letter_that_no_font_has_is_named():
     with pytest.raises(CannotTypeset, match="no font on this machine has a character of the text"):
         page(words_of("Ada \u0378"))
+
+
+def test_a_name_that_no_font_has_costs_nobody_else_the_paper(run: PrintRun):
+    plan = run.sheets[0].plan
+    owners = (Student("ada", "Ada", "\u0378"), Student("bo", "Bö", "Łoś"))
+    sheets = [PaperSheet(replace(plan, student=owner)) for owner in owners]
+    printable, nameless = with_printable_names(sheets)
+    assert [each.id for each in nameless] == ["ada"]
+    assert [each.owner for each in printable] == ["ada", "Bö Łoś (bo)"]
+    made = replace(run, sheets=printable)
+    files = made.printed(printable[0], made.pages(printable[0]))
+    assert all(each.startswith(b"%PDF-") for each in files.values())
 
 
 MARKDOWN = """\

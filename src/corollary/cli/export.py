@@ -42,7 +42,7 @@ from corollary.records.lms_names import LEFT_OUT, is_left_out
 from corollary.records.marks_table import MarksTable, Notation
 from corollary.records.origin import set_of
 from corollary.render.exports import Target, target
-from corollary.render.paper.sheet import PaperSheet
+from corollary.render.paper.sheet import PaperSheet, with_printable_names
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,6 +155,13 @@ def _of_one_set(
         else:
             dealt = sheets_for(problem_set, solutions, form_owners(given["forms"]))
             sheets = [PaperSheet(each, each.student.id) for each in dealt]
+        sheets, nameless = with_printable_names(sheets)
+        if nameless:
+            say(
+                f"no font on this machine has all letters of {few([f'{each.name} ({each.id})' for each in nameless], 10)}: "
+                "the id stands on the sheet in the place of the name; install a font that has them (Noto Sans CJK has Chinese, "
+                "Japanese and Korean), and export again"
+            )
         run_of = chosen.paper(
             problem_set, sheets, solutions, given["large_print"], given["formula_sheet"], given["solution"]
         )

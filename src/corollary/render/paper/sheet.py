@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import io
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Final
 from urllib.parse import quote
@@ -19,7 +19,15 @@ from corollary.notebook.worksheet import Exercise, Prompt, SheetPlan, Worksheet
 from corollary.problem.dates import in_words
 from corollary.problem.roster import Student
 from corollary.render.page import drawing
-from corollary.render.paper.typst import literal, typesetter, typst_formula, typst_line, typst_text, words_of
+from corollary.render.paper.typst import (
+    has_letters,
+    literal,
+    typesetter,
+    typst_formula,
+    typst_line,
+    typst_text,
+    words_of,
+)
 from corollary.render.wording import points_earned
 from corollary.units.unit import show
 
@@ -120,6 +128,7 @@ class PaperSheet:
 
     plan: SheetPlan
     form: str = ""
+    label: str = ""  # in the place of a name that no font here has
 
     @cached_property
     def worksheet(self) -> Worksheet:
@@ -137,11 +146,27 @@ class PaperSheet:
         if self.form:
             return _("Form {form}", form=self.form)
         student = self.plan.student
+        if self.label:
+            return self.label
         return student.name if student.name == student.id else f"{student.name} ({student.id})"
 
     @property
     def title(self) -> str:
         return " – ".join(filter(None, (self.plan.problem_set.title, self.owner)))
+
+
+def with_printable_names(sheets: Sequence[PaperSheet]) -> tuple[list[PaperSheet], list[Student]]:
+    """The sheets, with the id in the place of each name that no font here can print, and whose names these are.
+
+    Raises CannotTypeset without the extra `pdf`."""
+    printable, students = list[PaperSheet](), list[Student]()
+    for sheet in sheets:
+        if not has_letters(sheet.owner):
+            student = sheet.plan.student
+            students.append(student)
+            sheet = replace(sheet, label=student.id if has_letters(student.id) else quote(student.id))
+        printable.append(sheet)
+    return printable, students
 
 
 def typst_sheet(paper: PaperSheet, formulas: str = "") -> str:

@@ -277,6 +277,9 @@ STANDARD: Final = "ua-1"
 """With it Typst refuses to write a file in which a formula or a picture has no words."""
 
 NO_LETTER: Final = "could not be displayed with font"
+ALL_FONTS: Final = (
+    0x180  # characters below are those of Latin 1 and Latin Extended-A, which Typst's own fonts have
+)
 
 
 class CannotTypeset(RuntimeError):
@@ -309,6 +312,23 @@ def pdf(sheets: Sequence[str], title: str, *, large: bool = False) -> bytes:
     why = f"no font on this machine has a character of the text ({refused.message}); install one that has it"
     why = why if NO_LETTER in refused.message else refused.message
     raise CannotTypeset(f"{title} cannot be set on paper: {why}") from refused
+
+
+@lru_cache(maxsize=4096)
+def has_letters(text: str) -> bool:
+    """True if the fonts of Typst or of this machine have every character. Raises CannotTypeset without the extra `pdf`."""
+    if all(ord(letter) < ALL_FONTS for letter in text):
+        return True
+    typst = typesetter("typst")
+    source = f"#set document(title: {literal(spoken())})\n{words_of(text)}".encode("utf-8", "replace")
+    for others in (False, True):
+        try:
+            _compiler(others).compile(input=source, format="pdf", pdf_standards=STANDARD)
+            return True
+        except typst.TypstError as error:
+            if NO_LETTER not in error.message:
+                raise CannotTypeset(f"{text} cannot be set on paper: {error.message}") from error
+    return False
 
 
 @lru_cache(maxsize=2)

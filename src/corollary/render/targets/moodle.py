@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import math
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
@@ -31,8 +32,10 @@ from corollary.units.unit_table import ENGLISH, UNITS
 
 _ = catalogue(__name__)
 
-SPECIAL = frozenset("&#~{}=%\\\"'<>:")
-"""What means something inside of a field."""
+SPECIAL = frozenset("&#~{}=%\\\"'<>:/\n")
+"""What means something inside of a field, or ends it."""
+FIELD_LIKE = re.compile(r"\{(?=\s*(?:#|\d*\s*:))")
+"""The bracket of what Moodle would take for a field ({1:NM:=2}), or for the place of one ({#1}), in a text around them."""
 
 
 def cloze(asked: PartAsked, size: int) -> str:
@@ -46,14 +49,14 @@ def cloze(asked: PartAsked, size: int) -> str:
             )
             return f"<p>{{{points}:MCV:{'~'.join(alternatives)}}}</p>"
         case NumbersAsked(components=components):
-            unit = f" {escape(show(asked.unit))}" if show(asked.unit) else ""
+            unit = f" {around_fields(escape(show(asked.unit)))}" if show(asked.unit) else ""
             lines: list[str] = []
             for place, name in enumerate(components):
                 alternatives = (
                     _alternative(mark.share, f"{middle}:{reach}", mark.feedback)
                     for middle, reach, mark in answers_in(asked, place)
                 )
-                before = f"{escape(name)}: " if name else ""
+                before = f"{around_fields(escape(name))}: " if name else ""
                 lines.append(f"{before}{{{points}:NUMERICAL:{'~'.join(alternatives)}}}{unit}")
             return f"<p>{'<br>'.join(lines)}</p>"
         case _:
@@ -96,6 +99,11 @@ def _alternative(share: float, answer: str, feedback: str) -> str:
 def _inside(html: str) -> str:
     """HTML as it may stand in a field: Moodle decodes entities there."""
     return "".join(f"&#{ord(sign)};" if sign in SPECIAL else sign for sign in html)
+
+
+def around_fields(html: str) -> str:
+    """HTML beside fields, in which Moodle finds none: a browser shows the same."""
+    return FIELD_LIKE.sub("&#123;", html)
 
 
 COMMON = ("N kN mN J kJ mJ W kW kg g t C V A K m cm mm km s ms min h").split()  # fmt: skip  # noqa: SIM905
@@ -314,7 +322,8 @@ def _question(item: LmsItem, asked: Sequence[PartAsked], number: str) -> str:
             kind, text, rest = "essay", words(one), _essay(one)
         case _:
             size = size_of_points(asked)
-            fields = "".join(words(each) + cloze(each, size) for each in asked)
+            fields = "".join(around_fields(words(each)) + cloze(each, size) for each in asked)
+            stem = around_fields(stem)
             kind, text, rest = "multianswer", f"<p>{escape(_numbers_only())}</p>{fields}", []
     if kind != "multianswer":
         rest = [f"<defaultgrade>{asked[0].prompt.out_of:g}</defaultgrade>", *rest]
