@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import runpy
 import subprocess
 import sys
 import tomllib
@@ -12,6 +13,8 @@ from pathlib import Path
 
 import pytest
 import yaml
+
+from corollary.version import __version__
 
 TOP = Path(__file__).parents[2]
 NAME = "corollary-physics"
@@ -43,10 +46,37 @@ def test_the_version_stands_in_one_file_and_the_changelog_and_the_citation_follo
     assert f'"{NAME}"' in text("src/corollary/version.py")
     released = re.findall(r"^## \[([\d.]+)\] - (\S+)$", text("docs/changelog.md"), re.MULTILINE)
     cited = yaml.safe_load(text("CITATION.cff"))
-    assert version() == released[0][0] == cited["version"]
+    assert released[0][0] == cited["version"]
+    assert __version__ == released[0][0] or re.fullmatch(r"[\d.]+\.dev0", __version__)
+    assert [int(each) for each in __version__.removesuffix(".dev0").split(".")] >= [
+        int(each) for each in released[0][0].split(".")
+    ]
     assert released[0][1] == str(cited["date-released"])
     assert cited["cff-version"] == "1.2.0"
     assert {"message", "title", "authors"} <= cited.keys()
+
+
+def test_the_version_names_the_commit_between_releases(tmp_path: Path):
+    """In a checkout; a copy of the sources without git has the bare version, or that of the source distribution."""
+    commit = subprocess.run(
+        ["git", "-C", TOP, "rev-parse", "--short=8", "HEAD"], capture_output=True, text=True, check=False
+    ).stdout.strip()
+    assert version() == (f"{__version__}+{commit}" if commit and "dev" in __version__ else __version__)
+    copied = tmp_path / "src" / "corollary" / "version.py"
+    copied.parent.mkdir(parents=True)
+    copied.write_text(
+        re.sub(r"(?m)^__version__ = .*$", '__version__ = "7.1.0.dev0"', text("src/corollary/version.py"))
+    )
+    (tmp_path / "pyproject.toml").write_text("")
+
+    def found() -> str:
+        return str(runpy.run_path(str(copied))["full_version"]())
+
+    assert found() == "7.1.0.dev0"
+    (tmp_path / "PKG-INFO").write_text("Name: corollary-physics\nVersion: 7.1.0.dev0+1a2b3c4d\n")
+    assert found() == "7.1.0.dev0+1a2b3c4d"
+    copied.write_text(copied.read_text().replace("7.1.0.dev0", "7.1.0"))
+    assert found() == "7.1.0"
 
 
 def test_what_installs_an_extra_names_the_distribution():

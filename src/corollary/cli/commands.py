@@ -46,7 +46,7 @@ from corollary.cli.parameters import (
     several,
     text,
 )
-from corollary.version import __version__
+from corollary.version import full_version
 
 
 class Commands(click.Group):
@@ -62,7 +62,24 @@ app = Commands(
     context_settings={"help_option_names": ["-h", "--help"]},
     help="Physics exercises whose answers are derived from the laws: numbers for each student, marks for what they hand in.",
 )
-click.version_option(__version__, message="%(version)s", help="Show the version and leave.")(app)
+
+
+def _show_version(context: click.Context, _: click.Parameter, wanted: bool) -> None:
+    if wanted:
+        click.echo(full_version())
+        context.exit()
+
+
+app.params.append(
+    click.Option(
+        ["--version"],
+        is_flag=True,
+        is_eager=True,
+        expose_value=False,
+        callback=_show_version,
+        help="Show the version, with the commit where it is not a release's, and leave.",
+    )
+)
 
 
 def command(

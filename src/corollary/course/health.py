@@ -24,7 +24,7 @@ from corollary.problem.diagnostic import Finding, Malformed
 from corollary.records.files import Course, NotACourse, at_work, open_course, students
 from corollary.records.origin import set_of
 from corollary.records.settings import FILE, Settings, read_settings
-from corollary.version import DISTRIBUTION, __version__
+from corollary.version import DISTRIBUTION, full_version
 
 FOR_OTHERS, TO_ENTER = 0o044, 0o011  # bits by which others read a file, and enter a folder
 NAMESAKE = "corollary"  # on PyPI: another project, whose module has our name
@@ -131,7 +131,7 @@ def findings(folder: Path | None) -> Iterator[Finding]:
 
 
 def _programs() -> Iterator[Finding]:
-    yield Finding("corollary", "good", __version__)
+    yield Finding("corollary", "good", full_version())
     if _overwritten():
         yield Finding(
             "namesake",
