@@ -148,7 +148,7 @@ def test_the_page_for_marking_shows_each_group_with_one_button(course: tuple[Pat
                 {"Content-Type": "application/json", "Origin": address[: address.index("/", 8)]},
             )
             with urllib.request.urlopen(asked, timeout=60) as answer:
-                assert answer.read() == b"saved"
+                assert json.loads(answer.read()) == {"saved": 2}
         finally:
             server.terminate()
             server.wait(60)

@@ -134,6 +134,13 @@ def test_nbgraders_own_table_takes_lateness_off_it(given: Course) -> None:
 def test_what_is_withdrawn_is_gone_everywhere(given: Course) -> None:
     assert grade(given).status == 0
     give(given, "ada", None)
+    (change,) = report(given)["outside"]
+    assert (change["student"], change["before"], change["after"]) == ("ada", 2.0, None)
+    assert table(given)["ada"]["X12.11 c"] == "2", "nothing moves until somebody agrees"
+    done = grade(given)
+    assert (done.status, "changed in the gradebook" in done.errors) == (1, True), done.errors
+    assert grade(given, "--yes").status == 0
+    assert report(given)["outside"] == []
     assert {each["student"] for each in report(given)["waiting"]} == {"ada"}
     assert table(given)["ada"]["X12.11 c"] == ""
     assert "Waits for your teacher" in page(given, "ada")
@@ -163,6 +170,8 @@ def test_a_gradebook_that_was_lost_gets_back_what_persons_gave(
     assert in_gradebook(marked_course, "ada") == (2.0, "Well argued.", False)
     assert in_gradebook(marked_course, "ben") == (None, None, True)
     give(marked_course, "ada", 1.0)
+    assert table(marked_course)["ada"]["X12.11 c"] == "2"
+    assert grade(marked_course, "--yes").status == 0
     assert table(marked_course)["ada"]["X12.11 c"] == "1", "from then on the gradebook is believed again"
 
 

@@ -130,6 +130,7 @@ def test_extra_credit_on_a_new_answer_is_shown_again(marked_course: Course) -> N
     with Gradebook(f"sqlite:///{marked_course.gradebook}", "course") as book:
         book.find_grade("X12_11_a", "words", "words", "ada").extra_credit = 0.5
         book.db.commit()
+    assert grade(marked_course, "--yes").status == 0
     assert mark(marked_course, "--set", "ada/X12.11c=2", "--set", "ben/X12.11c=2").status == 0
     assert waiting(marked_course) == {}
     hand_in(marked_course, STUDENTS[0], X12_11_a_answer="X12_11_a = 1e9")

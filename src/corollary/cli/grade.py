@@ -19,8 +19,10 @@ from corollary.grading.solutions import Solutions
 from corollary.messages import few, visible
 from corollary.records.files import one_writer, open_course
 from corollary.records.origin import set_of
+from corollary.records.outside_changes import OutsideChange
 from corollary.records.regrading import Change, PartChange
 from corollary.records.submissions import all_guessed, why_unclear
+from corollary.render.marks_by_hand_tables import outside_table
 from corollary.sandbox.isolation import Isolation
 from corollary.sandbox.runner import Runner, probe_isolation
 
@@ -55,6 +57,7 @@ def run(
             regrade=regrade,
             dry_run=dry_run,
             ask=partial(ask, as_json=as_json, yes=yes),
+            ask_outside=partial(ask_outside, as_json=as_json, yes=yes),
             progress=progress,
             jobs=jobs,
             execute=on_cluster(executor) if executor else None,
@@ -97,7 +100,13 @@ def run(
     if dry_run:
         show_changes(done.changed, as_json=as_json)
         say("nothing was written: this was a dry run")
-    refused = not dry_run and not done.written
+    if done.outside:
+        count = "1 score" if len(done.outside) == 1 else f"{len(done.outside)} scores"
+        say(
+            f"{count} changed in the gradebook, not counted; agree with corollary grade {problem_set.name}, "
+            f"or decide each with corollary mark {problem_set.name}"
+        )
+    refused = not dry_run and (not done.written or bool(done.outside))
     broken = bool(done.failed or done.strangers or done.unclear or done.gone)
     return FAILS if refused or done.not_run or (strict and broken) else HOLDS
 
@@ -110,6 +119,13 @@ def ask(changed: tuple[Change, ...], *, as_json: bool, yes: bool) -> bool:
         f"Marks that {count} {'student has' if count == 1 else 'students have'} already would change. Write them?",
         yes,
     )
+
+
+def ask_outside(outside: tuple[OutsideChange, ...], *, as_json: bool, yes: bool) -> bool:
+    """Shows which scores were changed in the gradebook after they counted, and asks whether they may."""
+    console(stderr=as_json).print(outside_table(outside))
+    count = "1 score was" if len(outside) == 1 else f"{len(outside)} scores were"
+    return agreed(f"{count} changed in the gradebook. Take what stands there?", yes)
 
 
 FIELDS = ("points", "out_of", "parts", "isolation", "trouble", "late", "notes")
@@ -142,6 +158,7 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
         },
         "nobodys": [{"file": file, "why": why} for file, why in done.report.nobodys],
         "written": done.written,
+        "outside": [msgspec.to_builtins(each) for each in done.outside],
         "changed": [asdict(each) | {"by": round(each.by, 6)} for each in done.changed],
         "students": {
             student: {each: msgspec.to_builtins(getattr(record, each)) for each in FIELDS}

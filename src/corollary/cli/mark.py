@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import getpass
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import asdict
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,57 +12,70 @@ from corollary.cli.ending import HOLDS, answer, refuse
 from corollary.cli.local_page import OnePageServer, serve
 from corollary.course.up_to_date import up_to_date
 from corollary.grading.near_misses import accepted_text
-from corollary.messages import visible
-from corollary.nbgrader.hand_marking import NotMarkable, give_marks, part_named, to_mark
+from corollary.messages import few, visible
+from corollary.nbgrader.hand_marking import (
+    ChangedMeanwhile,
+    NotMarkable,
+    give_marks,
+    marks_of,
+    part_named,
+    to_mark,
+)
+from corollary.problem.bank import Bank
 from corollary.problem.csv_table import read_table
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course, open_course, students
-from corollary.records.manual_marks import ManualMark
+from corollary.records.manual_marks import COMMAND, FILE, ManualMark, RubricItem, login_name
 from corollary.records.marks import stored_record
 from corollary.records.near_miss_groups import AnswerGroup, PartToMark, near_misses_record
 from corollary.records.origin import set_of
-from corollary.render.marking_page import marking_page
+from corollary.records.rubrics import score_of
+from corollary.render.marks_by_hand_tables import named, score
 from corollary.render.wording import points, points_earned
 
-Give = Callable[[str, Sequence[str], ManualMark], None]
+Give = Callable[[str, AnswerGroup, ManualMark], None]
+MOST_NAMED = 10
 HELP = "points, or r and the rubric's numbers (r13), then a comment if you like; empty: leave it; q: end"
 
 
-def mark_in_terminal(parts: Sequence[PartToMark], give: Give) -> None:
-    """Asks for each answer and gives at once what is answered; the end of input ends it, with a sentence."""
+def mark_in_terminal(parts: Sequence[PartToMark], give: Give, names: Mapping[str, str]) -> None:
+    """Asks for each answer and gives at once what is answered; the end of input ends it, with a sentence. `names` by id; none where
+    the marking is anonymous."""
     if not parts:
         print("no answer waits for marking")
     given: list[str] = []
 
-    def counted(part: str, students: Sequence[str], mark: ManualMark) -> None:
-        give(part, students, mark)
-        given.extend(students)
+    def counted(part: str, group: AnswerGroup, mark: ManualMark) -> None:
+        give(part, group, mark)
+        given.extend(group.students)
 
     try:
-        _ask_all(parts, counted)
+        _ask_all(parts, counted, names)
     except EOFError:
         count = "1 mark" if len(given) == 1 else f"{len(given)} marks"
         print(f"\nthe input ended: {count} given and saved; the other answers still wait")
 
 
-def _ask_all(parts: Sequence[PartToMark], give: Give) -> None:
+def _ask_all(parts: Sequence[PartToMark], give: Give, names: Mapping[str, str]) -> None:
     for part in parts:
         print(f"\n{part.problem} {part.part} {part.title} ({points_earned(part.out_of)})")
         for number, item in enumerate(part.rubric, 1):
             print(f"  {number} {visible(item)}")
         for place, group in enumerate(part.groups, 1):
-            if not _ask(part, group, f"answer {place} of {len(part.groups)}", give):
+            if not _ask(part, group, f"answer {place} of {len(part.groups)}", give, names):
                 return
 
 
 def read_mark(line: str, part: PartToMark) -> ManualMark | str:
     """What was typed: `1.5 Well argued`, `r12`. A sentence for what is none of it."""
     first, _, comment = line.strip().partition(" ")
+    items: tuple[RubricItem, ...] | None = None
     if first.startswith("r") and first[1:].isdigit():
         chosen = {int(each) for each in first[1:]}
         if wrong := [each for each in chosen if not 1 <= each <= len(part.rubric)]:
             return f"the rubric has no item {wrong[0]}"
-        score = part.out_of * len(chosen) / len(part.rubric)
+        items = tuple(part.items[each - 1] for each in sorted(chosen))
+        score = score_of(items, part.out_of)
     else:
         try:
             score = float(first.replace(",", "."))
@@ -72,14 +83,22 @@ def read_mark(line: str, part: PartToMark) -> ManualMark | str:
             return HELP
     if not 0 <= score <= part.out_of:
         return f"from 0 to {points(part.out_of)} points"
-    return ManualMark(round(score, 2), None, comment.strip() or None, by=getpass.getuser())
+    comment = comment.strip() or None
+    return ManualMark(round(score, 2), None, comment, by=login_name(), rubric=items, source=COMMAND)
 
 
-def _ask(part: PartToMark, group: AnswerGroup, heading: str, give: Give) -> bool:
+def _ask(part: PartToMark, group: AnswerGroup, heading: str, give: Give, names: Mapping[str, str]) -> bool:
     """Whether to go on. Raises EOFError."""
     count = f", given by {len(group.students)} students" if len(group.students) > 1 else ""
     late = f", {group.late} late" if group.late else ""
     print(f"\n--- {heading}{count}{late}")
+    if names:
+        print(visible(few([named(each, names) for each in group.students], MOST_NAMED)))
+    if group.outside is not None:
+        before, after = (score(each) for each in (group.outside.before, group.outside.after))
+        print(f"changed in the gradebook from {before} to {after}; it does not count until you give points")
+    if group.request is not None:
+        print(f"request for regrading:\n{visible(group.request.text)}")
     if group.near_miss is not None:
         print(f"near miss of reading ({group.near_miss.kind}): it earned nothing; read otherwise it is right")
         for each in group.near_miss.answers:
@@ -96,7 +115,10 @@ def _ask(part: PartToMark, group: AnswerGroup, heading: str, give: Give) -> bool
             return True
         mark = read_mark(line, part)
         if isinstance(mark, ManualMark):
-            give(part.key, group.students, mark)
+            try:
+                give(part.key, group, mark)
+            except ChangedMeanwhile as changed:
+                print(changed)
             return True
         print(mark)
 
@@ -111,7 +133,7 @@ def run(
     bank: Path | None,
     as_json: bool,
     everything: bool,
-    names: bool,
+    anonymous: bool,
     terminal: bool,
     given: list[str],
     file: Path | None,
@@ -120,7 +142,7 @@ def run(
     port: int = 0,
 ) -> int:
     opened = open_course(course)
-    _, problem_set = set_of(opened, name, bank)
+    place, problem_set = set_of(opened, name, bank)
     written = (
         (_accepted(opened, problem_set, accepted) if accepted else {})
         | (_from_file(opened, problem_set, file) if file else {})
@@ -134,61 +156,49 @@ def run(
             raise NotMarkable(f"{error}; no mark was given") from None
     elif terminal:
         parts = to_mark(opened, problem_set, everything=everything)
-        mark_in_terminal(parts, lambda part, students, mark: _give(opened, problem_set, part, students, mark))
+        people = {} if anonymous else {each.id: each.name for each in students(opened)}
+        mark_in_terminal(
+            parts, lambda part, group, mark: _give(opened, problem_set, part, group, mark), people
+        )
     elif not as_json:
-        _serve(opened, problem_set, everything, names, no_browser, port)
+        _serve(opened, problem_set, place, everything, anonymous, no_browser, port)
     if marks or terminal or not as_json:
         up_to_date(opened, problem_set)  # the report's page, once for all marks
     if as_json:
         left = to_mark(opened, problem_set, everything=everything)
-        answer({"set": problem_set.name, "given": len(marks), "parts": [_record(each) for each in left]})
+        people = {} if anonymous else {each.id: each.name for each in students(opened)}
+        parts = [_record(each, people) for each in left]
+        answer({"set": problem_set.name, "given": len(marks), "parts": parts})
     elif marks:
         print(f"{len(marks)} {'mark' if len(marks) == 1 else 'marks'} given in {problem_set.name}")
     return HOLDS
 
 
 def _serve(
-    course: Course, problem_set: ProblemSet, everything: bool, names: bool, no_browser: bool, port: int
+    course: Course,
+    problem_set: ProblemSet,
+    bank: Bank,
+    everything: bool,
+    anonymous: bool,
+    no_browser: bool,
+    port: int,
 ) -> None:
-    whose: dict[str, tuple[str, AnswerGroup]] = {}
-    people = {each.id: each.name for each in students(course)} if names else None
+    from corollary.cli.mark_page import MarkPage  # brings the derivations
 
-    def page() -> str:
-        parts = to_mark(course, problem_set, everything=everything)
-        ids: dict[tuple[str, int], str] = {}
-        for part in parts:
-            for place, group in enumerate(part.groups):
-                ids[part.key, place] = f"a{len(whose)}"
-                whose[f"a{len(whose)}"] = part.key, group
-        return marking_page(problem_set, parts, ids, names=people)
-
-    def receive(posted: dict[str, Any]) -> None:
-        try:
-            part, group = whose[str(posted["group"])]
-            score, comment = posted["points"], str(posted.get("comment") or "").strip()
-            score = None if score is None else float(score)
-        except (KeyError, TypeError):
-            raise NotMarkable("this page belongs to an earlier run; reload it") from None
-        mark = ManualMark(score, None, comment or None, by=_who())
-        give_marks(course, problem_set, {(each, part): given for each, given in _marks_of(group, mark)})
-
-    page()  # what is wrong with the course is said before anything is opened
-    serve(OnePageServer(page, receive, port), "ctrl-C ends it, and what you gave is saved", no_browser)
+    pages = MarkPage(course, problem_set, bank, everything, anonymous)
+    pages.page()  # what is wrong with the course is said before anything is opened
+    serve(
+        OnePageServer(pages.page, pages.receive, port),
+        "ctrl-C ends it, and what you gave is saved",
+        no_browser,
+    )
 
 
-def _marks_of(group: AnswerGroup, mark: ManualMark) -> Iterator[tuple[str, ManualMark]]:
-    """The mark for each student of the group; whose near miss is accepted without a word is told how it was taken."""
-    near = {each.student: each for each in group.near_miss.answers} if group.near_miss else {}
-    for student in group.students:
-        accepted = student in near and mark.score == near[student].points and not mark.comment
-        comment = accepted_text(near[student].read) if accepted else mark.comment
-        yield student, msgspec.structs.replace(mark, comment=comment)
-
-
-def _give(
-    course: Course, problem_set: ProblemSet, part: str, students: Sequence[str], mark: ManualMark
-) -> None:
-    give_marks(course, problem_set, {(student, part): mark for student in students})
+def _give(course: Course, problem_set: ProblemSet, part: str, group: AnswerGroup, mark: ManualMark) -> None:
+    """For each student of the group; raises ChangedMeanwhile where that is not what was shown."""
+    marks = {(student, part): one for student, one in marks_of(group, mark)}
+    seen = {(student, part): token for student, token in zip(group.students, group.seen, strict=True)}
+    give_marks(course, problem_set, marks, seen=seen)
 
 
 def _accepted(course: Course, problem_set: ProblemSet, wanted: list[str]) -> Marks:
@@ -203,7 +213,7 @@ def _accepted(course: Course, problem_set: ProblemSet, wanted: list[str]) -> Mar
         for each in group.answers:
             record = stored_record(course, problem_set.name, each.student)
             key = part_named(problem_set, f"{group.problem} {group.part}", record)
-            mark = ManualMark(each.points, None, accepted_text(each.read), by=_who())
+            mark = ManualMark(each.points, None, accepted_text(each.read), by=login_name(), source=COMMAND)
             found[each.student, key] = mark, where
     return found
 
@@ -219,7 +229,7 @@ def _from_words(course: Course, problem_set: ProblemSet, given: list[str]) -> Ma
             refuse(f"--set {words}: write it as STUDENT/PART=POINTS, for instance ada/X12.5d=1.5")
         where = f"--set {words}"
         key = _place(course, problem_set, ids.get(student, student), part, where)
-        found[key] = ManualMark(_points(number, where), by=_who()), where
+        found[key] = ManualMark(_points(number, where), by=login_name(), source=COMMAND), where
     return found
 
 
@@ -242,7 +252,10 @@ def _from_file(course: Course, problem_set: ProblemSet, file: Path) -> Marks:
         student = ids.get(cells["student"], cells["student"])
         key = _place(course, problem_set, student, cells["part"], where)
         comment = cells.get("comment") or None
-        found[key] = ManualMark(_points(cells["points"], where), None, comment, by=_who()), where
+        found[key] = (
+            ManualMark(_points(cells["points"], where), None, comment, by=login_name(), source=FILE),
+            where,
+        )
     return found
 
 
@@ -277,25 +290,30 @@ def _points(text: str, where: str) -> float | None:
         refuse(f"{where}: {text} is not a number of points")
 
 
-def _who() -> str:
-    try:
-        return getpass.getuser()
-    except (OSError, KeyError, ImportError):
-        return ""
-
-
-def _record(part: PartToMark) -> dict[str, Any]:
+def _record(part: PartToMark, names: Mapping[str, str]) -> dict[str, Any]:
     groups = [
         {
             "students": list(group.students),
+            "names": {each: names[each] for each in group.students if each in names},
             "answer": [cell.verbatim for cell in group.cells],
             "late": group.late,
             "why": group.why,
             "given": None if group.given is None else msgspec.to_builtins(group.given),
             "again": group.again,
+            "points": group.points,
+            "outside": None if group.outside is None else msgspec.to_builtins(group.outside),
+            "request": None if group.request is None else msgspec.to_builtins(group.request),
             "near_miss": None if group.near_miss is None else near_misses_record(group.near_miss),
         }
         for group in part.groups
     ]
-    about = {name: value for name, value in asdict(part).items() if name != "groups"}
-    return about | {"rubric": list(part.rubric), "groups": groups}
+    return {
+        "key": part.key,
+        "problem": part.problem,
+        "part": part.part,
+        "title": part.title,
+        "out_of": part.out_of,
+        "rubric": list(part.rubric),
+        "items": [{"id": one.id, "text": one.text, "points": one.share * part.out_of} for one in part.items],
+        "groups": groups,
+    }

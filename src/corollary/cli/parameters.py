@@ -134,7 +134,7 @@ MARKING = (
     click.Option(
         ["--all", "everything"], is_flag=True, help="Include answers that were marked automatically."
     ),
-    flag("--names", "Show the students' names."),
+    flag("--anonymous", "Show no names and no ids."),
     flag("--terminal", "Mark in the terminal instead."),
     several("--set", "given", "Give a mark: ada/X12.11c=1.5"),
     several("--accept", "accepted", "Give all points to a group of near misses, by its id in the report"),

@@ -23,6 +23,7 @@ from corollary.guard import Failure, guarded
 from corollary.nbgrader.from_record import from_record
 from corollary.nbgrader.gradebook import concerns_everybody, gradebook, has_nbgrader
 from corollary.nbgrader.graded import GradedSubmission, not_graded
+from corollary.nbgrader.hand_marking import take_outside
 from corollary.nbgrader.register import follow_points, register, source_notebook
 from corollary.nbgrader.written_marks import current_manual, stale_pages, synchronized, write_graded
 from corollary.problem.problem_set import ProblemSet
@@ -43,6 +44,7 @@ from corollary.records.marks import (
     with_manual,
     write_page,
 )
+from corollary.records.outside_changes import OutsideChange, read_outside
 from corollary.records.regrading import (
     Change,
     change,
@@ -202,7 +204,8 @@ class Outcome:
     are those who had marks on record that nbgrader no longer had, `gone` those who have marks and whose notebook lies there no
     more, `guessed` those of whom no time of handing in is known. `changed` are those whose marks are others than before, or would
     be; when not all of it is `written`, nothing was written of `held`. `extended` are the changes that follow from more time given
-    to one student. `failures` are those over whose work this program failed, and how; the `log` says where."""
+    to one student. `failures` are those over whose work this program failed, and how; the `log` says where. `outside` are scores
+    changed in the gradebook that nobody has agreed to."""
 
     graded: tuple[str, ...]
     skipped: tuple[str, ...]
@@ -223,6 +226,7 @@ class Outcome:
     guessed: Mapping[str, GuessedTime] = field(default_factory=dict)
     failures: Mapping[str, str] = field(default_factory=dict)
     log: Path | None = None
+    outside: tuple[OutsideChange, ...] = ()
 
 
 def grade_set(
@@ -234,6 +238,7 @@ def grade_set(
     regrade: bool = False,
     dry_run: bool = False,
     ask: Callable[[tuple[Change, ...]], bool] = lambda changed: True,
+    ask_outside: Callable[[tuple[OutsideChange, ...]], bool] = lambda outside: False,
     progress: Callable[[str, int], None] = lambda student, left: None,
     jobs: int | None = None,
     execute: Execute | None = None,
@@ -254,6 +259,9 @@ def grade_set(
     handed_in = _handed_in(course, problem_set, solutions, now or datetime.now(UTC), dry_run, failures)
     digests = handed_in.digests
     manual = current_manual(course) if dry_run else synchronized(course)
+    outside = tuple(read_outside(course, name).values())
+    if outside and not dry_run and ask_outside(outside):
+        manual, outside = take_outside(course, name), ()
     records = read_records(course, problem_set, digests)
     done = {one: record for one, record in records.items() if record.fingerprint == digests[one]}
     written = _written(course, problem_set, done, dry_run)
@@ -318,6 +326,7 @@ def grade_set(
         in_gradebook=has_nbgrader(),
         report=report,
         page=report_place(course, name),
+        outside=outside,
         changed=proposed.changed,
         extended=() if dry_run else tuple(proposed.extended),
         held=tuple(student for student in todo if student in held),

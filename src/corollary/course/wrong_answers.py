@@ -74,7 +74,9 @@ def unlisted(course: Course, problem_set: ProblemSet, keys: DrawnKeys) -> list[S
     drawn: dict[tuple[str, str], list[tuple[Solution, DrawnLetters]]] = {}
     for (student, code), key in keys.items():
         if code in codes and student in records:
-            for part, letters in _of_problem(student, key, _of(records[student], code), problem_set).items():
+            for part, letters in letters_of(
+                student, key, parts_of(records[student], code), problem_set
+            ).items():
                 if (code, part) in wrong:
                     drawn.setdefault((code, part), []).append((key.solution, letters))
     return [
@@ -87,13 +89,17 @@ def unlisted(course: Course, problem_set: ProblemSet, keys: DrawnKeys) -> list[S
     ]
 
 
-def _of(record: Record, code: str) -> Marked:
+def parts_of(record: Record, code: str) -> Marked:
+    """What became of each part of one problem."""
     pairs = zip(record.rows, record.parts.values(), strict=True)  # rows and parts are of one order
     return {row.part: (row, part) for row, part in pairs if row.problem == code}
 
 
-def _of_problem(student: str, key: Key, marked: Marked, problem_set: ProblemSet) -> dict[str, DrawnLetters]:
-    """By part, those that ask for a number or a vector: values typed earlier count in the place of those of the key."""
+def letters_of(
+    student: str, key: Key, marked: Marked, problem_set: ProblemSet, asked: str = ""
+) -> dict[str, DrawnLetters]:
+    """By part, those that ask for a number or a vector: values typed earlier count in the place of those of the key. The answer to
+    the part `asked` is looked at whatever its verdict."""
     variant = key.variant
     letters = dict(variant.si)
     for find, values in zip(key.solution.unknowns, key.values, strict=True):
@@ -105,7 +111,7 @@ def _of_problem(student: str, key: Key, marked: Marked, problem_set: ProblemSet)
             continue
         row, record = marked[part.id]
         typed = _typed(key, part, record.answer)
-        is_wrong = typed is not None and row.verdict == WRONG and not row.by_hand
+        is_wrong = typed is not None and (part.id == asked or (row.verdict == WRONG and not row.by_hand))
         points = row.out_of * share(Mistaken(""), problem_set.scheme, part.answer_type)
         found[part.id] = DrawnLetters(
             student, dict(letters), typed if is_wrong else None, truth.tolerance, points - row.points

@@ -11,7 +11,8 @@ backup, or is new: then the journal is right. Otherwise what the gradebook says 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache, partial
 from typing import TYPE_CHECKING, Any
@@ -21,15 +22,19 @@ from msgspec.structs import replace
 from corollary.nbgrader.gradebook import has_seen, seen
 from corollary.records.files import Course
 from corollary.records.manual_marks import (
+    GRADEBOOK,
     NOTHING,
     ManualMark,
     ManualMarks,
     OfStudent,
     Place,
+    login_name,
     read_manual,
     write_manual,
 )
-from corollary.records.marks import Record, graded_sets, stored_record
+from corollary.records.marks import UNMARKED, PartRecord, Record, graded_sets, stored_record
+from corollary.records.outside_changes import OutsideChange, noticed, write_outside
+from corollary.records.regrading import CENT
 
 if TYPE_CHECKING:
     from nbgrader.api import Comment, Grade, Gradebook, SubmittedNotebook
@@ -44,18 +49,19 @@ class FromGradebook:
 
 
 def manual_marks(course: Course, book: Gradebook) -> ManualMarks:
-    """What persons gave up to this moment. Writes nothing."""
+    """What persons gave up to this moment, and what nobody has to agree to. Writes nothing."""
     journal = read_manual(course)
-    return journal.and_then(_newer(course, book, journal))
+    return journal.and_then(_parted(course, _newer(course, book, journal), journal)[0])
 
 
 def synchronize(course: Course, book: Gradebook) -> ManualMarks:
-    """What persons gave up to this moment, with journal and gradebook brought to say the same.
+    """What persons gave up to this moment, with journal and gradebook brought to say the same; but a score that stood already and
+    was changed in the gradebook waits until somebody agrees to it.
 
     Whoever calls it is the only writer in the course.
     """
     journal = read_manual(course)
-    newer = _newer(course, book, journal)
+    newer, outside = _parted(course, _newer(course, book, journal), journal)
     if _is_older(book, journal):
         given = {name: journal.by_student(name) for name in {place.set_name for place in journal.by_place}}
         for notebook, (name, student) in submitted_notebooks(book, set(given)):
@@ -66,6 +72,7 @@ def synchronize(course: Course, book: Gradebook) -> ManualMarks:
     # The gradebook first: cut short in between it has seen more than there is, and is read again.
     book.db.commit()
     write_manual(course, newer)
+    write_outside(course, outside)
     return journal.and_then(newer)
 
 
@@ -163,6 +170,40 @@ def _newer(course: Course, book: Gradebook, journal: ManualMarks) -> dict[Place,
     return found
 
 
+def _parted(
+    course: Course, newer: Mapping[Place, ManualMark], journal: ManualMarks
+) -> tuple[dict[Place, ManualMark], dict[Place, OutsideChange]]:
+    """What counts at once, and what would move points that stand: those are asked about."""
+    taken: dict[Place, ManualMark] = {}
+    outside: dict[Place, OutsideChange] = {}
+    records = cache(partial(stored_record, course))
+    for place, mark in newer.items():
+        before = journal.by_place.get(place, NOTHING)
+        by = login_name()
+        if before.score is not None and before.score == mark.score:  # its comment or its answer is another
+            mark = replace(mark, rubric=before.rubric)
+        mark = replace(mark, by=by, source=GRADEBOOK, request=before.request)
+        record = records(place.set_name, place.student)
+        part = None if record is None else record.parts.get(place.part)
+        if record is None or part is None:
+            taken[place] = mark
+            continue
+        stands = before.out_of_now(part.out_of)
+        old, new = _points(stands, part), _points(mark, part)
+        looked_at_again = bool(before.is_given and record.why_again(place.part, stands))
+        if old is None or looked_at_again or (new is not None and abs(new - old) < CENT):
+            taken[place] = mark
+        else:
+            outside[place] = noticed(place, old, new, mark)
+    return taken, outside
+
+
+def _points(mark: ManualMark, part: PartRecord) -> float | None:
+    """What a part earns with this mark; None where it waits."""
+    score = mark.score if mark.score is not None else None if part.verdict == UNMARKED else part.points
+    return None if score is None else score + (mark.extra_credit or 0.0)
+
+
 def _now(record: Record, part: str) -> tuple[str, float]:
     """The digest of the answer that lies there, and what the part earns; nothing where it is not known."""
     return record.answers.get(part, ""), record.parts[part].out_of if part in record.parts else 0.0
@@ -229,6 +270,18 @@ def submitted_notebooks(
         for submission in assignment.submissions if assignment.name in sets else ():
             for notebook in submission.notebooks:
                 yield notebook, (assignment.name, submission.student_id)
+
+
+def notebooks_of(
+    book: Gradebook, whose: Iterable[tuple[str, str]]
+) -> Iterator[tuple[SubmittedNotebook, tuple[str, str]]]:
+    """The submissions of these students, each with the names of set and student; none for who has none."""
+    from nbgrader.api import MissingEntry
+
+    for name, student in whose:
+        with suppress(MissingEntry):
+            for notebook in book.find_submission(name, student).notebooks:
+                yield notebook, (name, student)
 
 
 def _is_older(book: Gradebook, journal: ManualMarks) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import getpass
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -57,10 +58,35 @@ def last_lines(path: Path, most: int) -> list[bytes]:
     return tail.splitlines(keepends=True)[-most:]
 
 
+PAGE, COMMAND, FILE, GRADEBOOK, RUBRIC = (
+    "page",
+    "command",
+    "file",
+    "gradebook",
+    "rubric",
+)  # where a mark is from
+
+
+class RubricItem(msgspec.Struct, frozen=True):
+    """One item of a rubric: `share` of the part's points is added (negative: taken off) where it is ticked."""
+
+    id: str
+    text: str
+    share: float
+
+
+class RequestDecision(msgspec.Struct, frozen=True):
+    """The answer to a request for regrading: the student's words, and whether the mark was changed or stands."""
+
+    text: str
+    changed: bool
+
+
 class ManualMark(msgspec.Struct, frozen=True, omit_defaults=True):
     """What a person gave for one part; None where they gave nothing. `answer` is the digest of the answer it was given for
     (empty: not known), `by` the login name where it is known, `at` the moment it was recorded. `out_of` is what the score is
-    out of (0: not known), `first` the score and what it was out of when the part earned other points than now."""
+    out of (0: not known), `first` the score and what it was out of when the part earned other points than now. `rubric` are the
+    items that were ticked (None: it was not marked by a rubric), `source` says where the mark was given."""
 
     score: float | None = None
     extra_credit: float | None = None
@@ -70,6 +96,9 @@ class ManualMark(msgspec.Struct, frozen=True, omit_defaults=True):
     at: str = ""
     out_of: float = 0.0
     first: tuple[float, float] | None = None
+    rubric: tuple[RubricItem, ...] | None = None
+    source: str = ""
+    request: RequestDecision | None = None
 
     @property
     def is_given(self) -> bool:
@@ -96,6 +125,16 @@ class ManualMark(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 NOTHING = ManualMark()
+
+
+def login_name() -> str:
+    """The login name of whoever runs the command; empty where the system has none."""
+    try:
+        return getpass.getuser()
+    except (OSError, KeyError, ImportError):
+        return ""
+
+
 OfStudent = Mapping[str, ManualMark]  # by the part's name in the notebook (X12_5_a)
 
 
@@ -141,14 +180,20 @@ def read_manual(course: Course) -> ManualMarks:
     """What the journal holds."""
     found: dict[Place, ManualMark] = {}
     count = 0
+    for place, mark in manual_history(course):
+        found[place] = mark
+        count += 1
+    return ManualMarks(found, count)
+
+
+def manual_history(course: Course) -> Iterator[tuple[Place, ManualMark]]:
+    """Every mark that a person ever gave, oldest first."""
     for entry in entries(journal_place(course)):
         try:
             line = msgspec.convert(entry, _Line)
         except msgspec.ValidationError:
             continue
-        found[Place(line.set, line.student, line.part)] = line.mark
-        count += 1
-    return ManualMarks(found, count)
+        yield Place(line.set, line.student, line.part), line.mark
 
 
 def write_manual(course: Course, given: Mapping[Place, ManualMark]) -> None:

@@ -7,8 +7,10 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from hashlib import sha256
 
-from corollary.records.manual_marks import ManualMark
+from corollary.records.manual_marks import ManualMark, RubricItem
 from corollary.records.marks import Row
+from corollary.records.outside_changes import OutsideChange
+from corollary.records.regrade_requests import RegradeRequest
 
 NUMBER = re.compile(r"\d+(?:[.,]\d+)*")
 LONGEST = 120
@@ -84,7 +86,9 @@ class WrittenCell:
 @dataclass(frozen=True, slots=True)
 class AnswerGroup:
     """Equal answers to one part, marked together: `late` counts those that came late. `given` is what a person gave all of
-    them, `again` says that it was for another answer. `near_miss` are answers, not all equal, that one other reading makes right."""
+    them, `again` says that it was for another answer. `near_miss` are answers, not all equal, that one other reading makes right.
+    `outside` is a score changed in the gradebook that nobody has agreed to, `request` a student's request for regrading; `points`
+    are those that stand, `seen` names for each student what the marker sees."""
 
     students: tuple[str, ...]
     cells: tuple[WrittenCell, ...]
@@ -93,16 +97,25 @@ class AnswerGroup:
     given: ManualMark | None
     again: bool
     near_miss: NearMisses | None = None
+    outside: OutsideChange | None = None
+    request: RegradeRequest | None = None
+    points: float | None = None
+    seen: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class PartToMark:
-    """One part with its answers; `key` is its name in the notebook."""
+    """One part with its answers; `key` is its name in the notebook, `items` the rubric with what each item is worth."""
 
     key: str
     problem: str
     part: str
     title: str
     out_of: float
-    rubric: tuple[str, ...]
+    items: tuple[RubricItem, ...]
     groups: tuple[AnswerGroup, ...]
+
+    @property
+    def rubric(self) -> tuple[str, ...]:
+        """The texts of the items."""
+        return tuple(item.text for item in self.items)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from statistics import fmean, median
 from typing import get_args
 
@@ -20,6 +20,9 @@ from corollary.records.files import Course, students
 from corollary.records.manual_marks import ManualMarks
 from corollary.records.marks import HandedIn, Row, read_marks
 from corollary.records.near_miss_groups import NearMisses, near_misses, near_misses_record
+from corollary.records.outside_changes import OutsideChange, read_outside
+from corollary.records.regrade_requests import open_requests
+from corollary.records.rubrics import RubricCount, rubric_counts
 from corollary.records.submissions import (
     UNUSABLE,
     guessed_time,
@@ -71,11 +74,22 @@ class Waiting:
 
 
 @dataclass(frozen=True, slots=True)
+class OpenRequest:
+    """A student's request for regrading of one part that nobody has answered; `text` is harmless on a terminal."""
+
+    student: str
+    part: str
+    text: str
+    at: str
+
+
+@dataclass(frozen=True, slots=True)
 class Report:
     """A graded problem set in sum; `missing` are students of the roster who handed in nothing; `shared` proves nothing,
     and `coincidences` are as many more that chance explains; `nobodys` are the files collected of which nobody knows whose they are,
     with the reason; `unusable` says of a student why what was handed in cannot be marked. `excused` need not hand in, and are counted nowhere,
-    though their work is marked."""
+    though their work is marked. `rubric` counts the items that persons ticked, `outside` are scores changed in the gradebook that
+    nobody has agreed to, `requests` those for regrading that are open."""
 
     handed_in: tuple[HandedIn, ...]
     rows: tuple[Row, ...]
@@ -89,6 +103,9 @@ class Report:
     nobodys: tuple[tuple[str, str], ...] = ()
     coincidences: int = 0
     near_misses: tuple[NearMisses, ...] = ()
+    rubric: tuple[RubricCount, ...] = ()
+    outside: tuple[OutsideChange, ...] = ()
+    requests: tuple[OpenRequest, ...] = ()
 
     @property
     def noticed(self) -> tuple[HandedIn, ...]:
@@ -152,7 +169,8 @@ def report_of(
     deadlines = read_deadlines(course, problem_set)
     excused = [student for student in roster if deadlines.excused(student)]
     roster = [student for student in roster if student not in excused]
-    records = read_marks(course, problem_set, roster, manual).values()
+    by_student = read_marks(course, problem_set, roster, manual)
+    records = by_student.values()
     rows = [row for record in records for row in record.rows]
     rows.sort(key=lambda row: places.get((row.problem, row.part), len(places)))
     shared = read_shared(course, problem_set)
@@ -172,7 +190,7 @@ def report_of(
     for each in arrivals:  # what was collected and could not be put where it is marked
         if each.outcome == UNUSABLE and each.student in known and each.student not in there:
             unusable[each.student] = visible(f"{each.file}: {each.why}")
-    return report(
+    found = report(
         [_with_date(course, name, _with_guess(course, name, each.handed_in), deadlines) for each in records],
         rows,
         roster=roster,
@@ -180,6 +198,16 @@ def report_of(
         unusable=unusable,
         excused=excused,
         nobodys=[(visible(each.file), visible(each.why)) for each in without_owner(arrivals)],
+    )
+    return replace(
+        found,
+        rubric=rubric_counts(by_student),
+        outside=tuple(each for each in read_outside(course, name).values() if each.student in known),
+        requests=tuple(
+            OpenRequest(student, part, visible(each.text), each.at)
+            for (student, part), each in open_requests(course, name).items()
+            if student in known
+        ),
     )
 
 
@@ -259,6 +287,9 @@ def report_record(report: Report) -> dict[str, object]:
         "misconceptions": [{**asdict(met), "count": len(met.students)} for met in report.met],
         "waiting": [asdict(one) for one in report.waiting],
         "near_misses": list(map(near_misses_record, report.near_misses)),
+        "rubric": [{**asdict(one), "count": len(one.students)} for one in report.rubric],
+        "outside": [msgspec.to_builtins(one) for one in report.outside],
+        "requests": [asdict(one) for one in report.requests],
         "unusable": [{"student": student, "why": why} for student, why in report.unusable],
         "nobodys": [{"file": file, "why": why} for file, why in report.nobodys],
         "failed": [{"student": one.student, "why": one.trouble} for one in report.failed],

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from corollary.records.marks import UNMARKED, Row
 from corollary.records.report_model import Met, Report
+from corollary.records.rubrics import RubricCount
 from corollary.records.unlisted import SharedRule, shared_rules_record
 
 Numbers = NDArray[np.float64]
@@ -302,6 +303,7 @@ class SetStatistics:
     misconceptions: tuple[MisconceptionShare, ...]
     effects: tuple[FeatureEffect, ...]
     unlisted: tuple[SharedRule, ...] = ()
+    rubric: tuple[RubricCount, ...] = ()
 
 
 def set_statistics(
@@ -314,6 +316,7 @@ def set_statistics(
         tuple(misconception_shares(report.met, answers)),
         tuple(feature_effects(answers, features)),
         tuple(unlisted),
+        report.rubric,
     )
 
 
@@ -324,6 +327,9 @@ def statistics_record(found: SetStatistics) -> dict[str, object]:
         "misconceptions": [asdict(each) for each in found.misconceptions],
         "effects": [asdict(each) for each in found.effects],
         "unlisted": [shared_rules_record(each) for each in found.unlisted],
+        "rubric": [
+            {**asdict(one), "share": asdict(share(len(one.students), one.of))} for one in found.rubric
+        ],
     }
 
 
@@ -338,6 +344,9 @@ def statistics_rows(found: SetStatistics) -> Iterator[Sequence[str]]:
     for one in found.misconceptions:
         place = (one.verdict, one.problem, one.part, one.text, "")
         yield (*place, *_numbers(one.share), *[""] * 4, " ".join(one.students))
+    for item in found.rubric:
+        place = ("rubric", item.problem, item.part, item.text, str(item.of))
+        yield (*place, *_numbers(share(len(item.students), item.of)), *[""] * 4, " ".join(item.students))
     for effect in found.effects:
         place = ("effect", effect.problem, effect.part, effect.feature, str(effect.answers))
         known = (effect.p, effect.adjusted, effect.power, effect.least)

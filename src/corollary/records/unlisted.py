@@ -84,6 +84,23 @@ def shared_rules(
     return offers
 
 
+def rules_giving(
+    solution: Solution, part: str, drawn: Sequence[DrawnLetters], place: int
+) -> list[tuple[UnlistedRule, list[int]]]:
+    """The rules, one change from the derivation, that give the answer of the student at `place`; with each the places of all whose
+    answer it gives with their own numbers, this student's among them."""
+    if drawn[place].typed is None:
+        return []
+    wrong = [at for at, one in enumerate(drawn) if one.typed is not None]
+    row = wrong.index(place)
+    found: list[tuple[UnlistedRule, list[int]]] = []
+    for rule, values in _distinct(solution, part, _evaluation(drawn), [place]):
+        own = _own(_met(values, drawn, wrong), wrong)
+        if own[row]:
+            found.append((rule, [at for at, fits in zip(wrong, own, strict=True) if fits]))
+    return found
+
+
 def shared_rules_record(found: SharedRule) -> dict[str, object]:
     """As plain data for JSON."""
     return {

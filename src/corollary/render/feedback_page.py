@@ -23,10 +23,11 @@ from corollary.messages import catalogue, in_convention, spoken
 from corollary.notebook.worksheet import Prompt, exercise
 from corollary.problem.dates import in_words
 from corollary.problem.problem_set import ProblemSet
+from corollary.records.manual_marks import RequestDecision
 from corollary.records.marks import PartRecord, Record
 from corollary.render.markdown import html, inline
 from corollary.render.page import drawing, page
-from corollary.render.wording import BLANK, BY_HAND, LOOKS, Look, earned, spell
+from corollary.render.wording import BLANK, BY_HAND, LOOKS, Look, earned, item_points, spell
 from corollary.sandbox.job import CellRun, Figure
 
 _ = catalogue(__name__)
@@ -244,6 +245,18 @@ class MarkedPart:
         return "" if manual is msgspec.UNSET else manual.comment or ""
 
     @property
+    def ticked(self) -> list[tuple[str, str]]:
+        """The items of the rubric that were ticked, each with what it added."""
+        manual = self.record.manual
+        items = () if manual is msgspec.UNSET or manual.score is None else manual.rubric or ()
+        return [(item.text, item_points(item, self.record.out_of)) for item in items]
+
+    @property
+    def request(self) -> RequestDecision | None:
+        """The request for regrading that was answered."""
+        return None if self.record.manual is msgspec.UNSET else self.record.manual.request
+
+    @property
     def feedback(self) -> str:
         """What the program says of it; nothing where a person decided, or where the look says it."""
         if self.look is BY_HAND or self.record.feedback == f"{self.look.phrase}.":
@@ -349,6 +362,7 @@ def _of_part(part: MarkedPart) -> str:
         f"### ({part.facts.id}) {_literal(unescape(TAG.sub('', part.facts.title)))}",
         f"**{part.look.phrase}** ({marks})",
         f"{part.facts.introduction} {_literal(part.answer)}" if part.facts.introduction else "",
+        *(f"- {item} ({worth})" for item, worth in part.ticked),
         _literal(part.comment),
         part.feedback,
     ]

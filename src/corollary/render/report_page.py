@@ -18,6 +18,7 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.records.collusion import SHARING
 from corollary.records.marks import HandedIn, Row
 from corollary.records.report_model import PartTally, Report
+from corollary.render.marks_by_hand_tables import by_hand_tables, named, noticed_by, score
 from corollary.render.page import page
 from corollary.render.statistics_table import EFFECTS, between, in_all, p_value, percent_between
 from corollary.render.wording import BY_HAND, LOOKS, Look, percent, points
@@ -85,6 +86,7 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
             ),
         )
         yield from _more(len(report.near_misses))
+    yield from by_hand_tables(report)
     if report.failed:
         yield _table(
             "Something went wrong", ("student", "why"), ((one.student, one.trouble) for one in report.failed)
@@ -286,6 +288,10 @@ def report_page(
         students=_lines(report),
         places=Places(problem_set.name, (formgrader or FORMGRADER).rstrip("/"), course),
         statistics=statistics,
+        names={one.student: one.name for one in report.handed_in},
+        named=named,
+        score=score,
+        noticed_by=noticed_by,
         effects_title=EFFECTS,
         effects_in_all=in_all(statistics.effects) if statistics else "",
         between=between,

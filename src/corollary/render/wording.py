@@ -11,6 +11,7 @@ from corollary.answers.verdict import Unread, Verdict, word
 from corollary.messages import N_, catalogue, in_convention
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.dates import in_words
+from corollary.records.manual_marks import RubricItem
 from corollary.units.unit import show
 
 _ = catalogue(__name__)
@@ -110,3 +111,10 @@ def facts(sheet: Worksheet) -> list[str]:
         words.append(_("due {date}", date=in_words(due)))
     words.append(points_earned(sum(prompt.out_of for prompt in sheet.prompts)))
     return [*words, *filter(None, [sheet.problem_set.late_rule])]
+
+
+def item_points(item: RubricItem, out_of: float) -> str:
+    """What an item adds, with its sign."""
+    worth = round(item.share * out_of, 2)
+    sign = "+" if worth >= 0 else "\N{MINUS SIGN}"
+    return f"{sign}{earned(abs(worth))}"
