@@ -34,8 +34,8 @@ from corollary.records.manual_marks import PAGE, ManualMark, RubricItem, login_n
 from corollary.records.near_miss_groups import AnswerGroup, PartToMark
 from corollary.records.rubrics import item_id, read_rubrics
 from corollary.render.marking_page import (
-    AskedPart,
-    Marked,
+    MarkingProgress,
+    PartQuestion,
     details_html,
     marking_page,
     question_of,
@@ -48,8 +48,8 @@ RELOAD = "this page belongs to an earlier run; reload it"
 
 
 @dataclass(slots=True)
-class ShownGroup:
-    """One card of one page: what it saw of each student, and what it was told stands instead."""
+class AnswerCard:
+    """One card of one page: what it saw of each student, and what it was moved stands instead."""
 
     part: PartToMark
     group: AnswerGroup
@@ -66,7 +66,7 @@ class MarkPage:
     bank: Bank
     everything: bool
     anonymous: bool
-    cards: dict[str, ShownGroup] = field(default_factory=dict[str, ShownGroup])
+    cards: dict[str, AnswerCard] = field(default_factory=dict[str, AnswerCard])
     parts: dict[str, PartToMark] = field(default_factory=dict[str, PartToMark])
 
     @cached_property
@@ -92,13 +92,13 @@ class MarkPage:
         state = marking_state(self.course, self.problem_set, everything=self.everything)
         ids: dict[tuple[str, int], str] = {}
         places: dict[str, int] = {}
-        questions: dict[str, AskedPart] = {}
+        questions: dict[str, PartQuestion] = {}
         before = set[str]()
         for part in state.parts:
             self.parts[part.key] = part
             for place, group in enumerate(part.groups):
                 name = ids[part.key, place] = f"a{len(self.cards)}"
-                self.cards[name] = ShownGroup(part, group, dict(zip(group.students, group.seen, strict=True)))
+                self.cards[name] = AnswerCard(part, group, dict(zip(group.students, group.seen, strict=True)))
                 for student in group.students:
                     places.setdefault(student, len(places))
             facts = stored_facts(self.course, self.problem_set.name, part.groups[0].students[0])
@@ -112,7 +112,7 @@ class MarkPage:
             names=None if self.anonymous else self.names,
             questions=questions,
             numbers=self._numbers(state.parts),
-            progress=Marked(places, len(done_before), len({*state.students, *places})),
+            progress=MarkingProgress(places, len(done_before), len({*state.students, *places})),
         )
 
     def receive(self, posted: dict[str, Any]) -> str:
@@ -203,7 +203,7 @@ class MarkPage:
         whose = sorted({student for _, card in cards for student in card.seen})
         before = {} if preview else seen_in(self.course, self.problem_set, part.key, whose)
         moves = change_rubric(self.course, self.problem_set, part.key, items, preview=preview)
-        told = [
+        moved = [
             {
                 "who": "a student" if self.anonymous else self.named(each.student),
                 "before": each.before,
@@ -212,7 +212,7 @@ class MarkPage:
             for each in moves
         ]
         if preview:
-            return {"moves": told}
+            return {"moves": moved}
         after = seen_in(self.course, self.problem_set, part.key, whose)
         now = {each.student: each.after for each in moves}
         scores = dict[str, float | None]()
@@ -224,7 +224,7 @@ class MarkPage:
             if card.group.students[0] in now:
                 scores[name] = now[card.group.students[0]]
         self.parts[part.key] = replace(part, items=tuple(items))
-        return {"moves": told, "items": rubric_record(items, part.out_of), "scores": scores}
+        return {"moves": moved, "items": rubric_record(items, part.out_of), "scores": scores}
 
     def _details(self, posted: Mapping[str, Any]) -> str:
         try:
@@ -245,13 +245,13 @@ class MarkPage:
         variant = self.variants.get((student, card.part.problem))
         model = "" if variant is None else guarded(lambda: self._model(variant, card.part.part), LONGEST_LOOK)
         text = model if isinstance(model, str) else ""
-        shown = details_html(asked, _numbers_of(variant) if variant is not None else "", text)
+        texts = details_html(asked, _numbers_of(variant) if variant is not None else "", text)
         question = (
-            f'{shown["question"]}<p class="quiet">{shown["numbers"]}</p>'
+            f'{texts["question"]}<p class="quiet">{texts["numbers"]}</p>'
             if posted.get("what") == "both"
             else ""
         )
-        return question + (shown["model"] or "<p>There is no model answer for these numbers.</p>")
+        return question + (texts["model"] or "<p>There is no model answer for these numbers.</p>")
 
     def _model(self, variant: Variant, part: str) -> str:
         """The answer to a part in words, else the worked solution of the problem."""

@@ -105,7 +105,7 @@ class StandingMark:
     seen: str
 
 
-class ChangedMeanwhile(NotMarkable):
+class ChangedMeanwhile(ValueError):
     """Marks or answers are others than the marker saw; nothing was written."""
 
     def __init__(self, part: str, standing: Sequence[StandingMark]) -> None:

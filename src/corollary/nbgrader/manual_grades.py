@@ -174,7 +174,7 @@ def _parted(
     course: Course, newer: Mapping[Place, ManualMark], journal: ManualMarks
 ) -> tuple[dict[Place, ManualMark], dict[Place, OutsideChange]]:
     """What counts at once, and what would move points that stand: those are asked about."""
-    taken: dict[Place, ManualMark] = {}
+    counting: dict[Place, ManualMark] = {}
     outside: dict[Place, OutsideChange] = {}
     records = cache(partial(stored_record, course))
     for place, mark in newer.items():
@@ -186,16 +186,16 @@ def _parted(
         record = records(place.set_name, place.student)
         part = None if record is None else record.parts.get(place.part)
         if record is None or part is None:
-            taken[place] = mark
+            counting[place] = mark
             continue
         stands = before.out_of_now(part.out_of)
         old, new = _points(stands, part), _points(mark, part)
         looked_at_again = bool(before.is_given and record.why_again(place.part, stands))
         if old is None or looked_at_again or (new is not None and abs(new - old) < CENT):
-            taken[place] = mark
+            counting[place] = mark
         else:
             outside[place] = noticed(place, old, new, mark)
-    return taken, outside
+    return counting, outside
 
 
 def _points(mark: ManualMark, part: PartRecord) -> float | None:

@@ -53,9 +53,9 @@ def write_outside(course: Course, changes: Mapping[Place, OutsideChange]) -> Non
     before = read_outside(course)
     if before.keys() == changes.keys() and all(_same(before[one], changes[one]) for one in changes):
         return
-    kept = [before[place] if _same(before.get(place), each) else each for place, each in changes.items()]
+    merged = [before[place] if _same(before.get(place), each) else each for place, each in changes.items()]
     with suppress(OSError):
-        write_whole(course.record("manual", "outside.json"), msgspec.json.encode(kept))
+        write_whole(course.record("manual", "outside.json"), msgspec.json.encode(merged))
 
 
 def settle_outside(course: Course, places: Iterable[Place]) -> None:

@@ -22,7 +22,7 @@ class UnusableRubric(ValueError):
     """A rubric that cannot be recorded; one sentence says why."""
 
 
-class _Line(msgspec.Struct, frozen=True):
+class _RubricLine(msgspec.Struct, frozen=True):
     """A line of the journal: the whole rubric of one part from then on."""
 
     set: str
@@ -67,7 +67,7 @@ def read_rubrics(course: Course, set_name: str) -> dict[str, tuple[RubricItem, .
     found: dict[str, tuple[RubricItem, ...]] = {}
     for entry in entries(_journal(course)):
         try:
-            line = msgspec.convert(entry, _Line)
+            line = msgspec.convert(entry, _RubricLine)
         except msgspec.ValidationError:
             continue
         if line.set == set_name:
@@ -78,7 +78,7 @@ def read_rubrics(course: Course, set_name: str) -> dict[str, tuple[RubricItem, .
 def write_rubric(course: Course, set_name: str, part: str, items: Sequence[RubricItem]) -> None:
     """Records the rubric of one part with who changed it and when. Whoever calls it is the only writer."""
     at = datetime.now(UTC).isoformat(timespec="seconds")
-    append(_journal(course), [_Line(set_name, part, tuple(items), login_name(), at)])
+    append(_journal(course), [_RubricLine(set_name, part, tuple(items), login_name(), at)])
 
 
 def checked_rubric(items: Iterable[RubricItem]) -> tuple[RubricItem, ...]:

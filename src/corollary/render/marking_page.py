@@ -17,7 +17,7 @@ from corollary.render.wording import item_points
 
 
 @dataclass(frozen=True, slots=True)
-class AskedPart:
+class PartQuestion:
     """The question of one part with one student's numbers; all but `opens` are HTML. `opens`: the problem's statement was not
     on the page before."""
 
@@ -28,7 +28,7 @@ class AskedPart:
 
 
 @dataclass(frozen=True, slots=True)
-class Marked:
+class MarkingProgress:
     """How far the marking is: students by their place on the page, and those who were done before."""
 
     places: Mapping[str, int]
@@ -42,9 +42,9 @@ def marking_page(
     ids: Mapping[tuple[str, int], str],
     *,
     names: Mapping[str, str] | None,
-    questions: Mapping[str, AskedPart],
+    questions: Mapping[str, PartQuestion],
     numbers: Mapping[tuple[str, str], str],
-    progress: Marked,
+    progress: MarkingProgress,
 ) -> str:
     """One page that needs nothing but the server that gave it. `ids` names a group of answers, by part and place among its
     groups, for the mark that is sent back; `names` are the students' by their ids, None where the marking is anonymous. `questions`
@@ -69,7 +69,7 @@ def marking_page(
     )
 
 
-def question_of(facts: PageFacts, key: str, before: set[str]) -> AskedPart | None:
+def question_of(facts: PageFacts, key: str, before: set[str]) -> PartQuestion | None:
     """The question of a part from what a feedback page is made of; `before` takes the code of each problem that is shown."""
     for exercise in facts.exercises:
         for part in exercise.parts:
@@ -80,7 +80,9 @@ def question_of(facts: PageFacts, key: str, before: set[str]) -> AskedPart | Non
                     f"<li><b>{each.letter}</b> <span>{each.text}</span></li>" for each in part.options
                 )
                 asked = part.asked + (f'<ul class="options">{options}</ul>' if options else "")
-                return AskedPart(Markup(exercise.statement), Markup(exercise.drawing), Markup(asked), opens)
+                return PartQuestion(
+                    Markup(exercise.statement), Markup(exercise.drawing), Markup(asked), opens
+                )
     return None
 
 
@@ -105,7 +107,7 @@ def rubric_record(items: Sequence[RubricItem], out_of: float) -> list[dict[str, 
     ]
 
 
-def details_html(asked: AskedPart | None, numbers: str, model: str) -> dict[str, str]:
+def details_html(asked: PartQuestion | None, numbers: str, model: str) -> dict[str, str]:
     """Question and model answer with one student's numbers, as HTML."""
     question = (
         "" if asked is None else f'{asked.statement}<div class="drawing">{asked.drawing}</div>{asked.asked}'
