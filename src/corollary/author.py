@@ -127,11 +127,14 @@ def mistake(
     instead: str | Sequence[str] = (),
     where: Boolean | bool | None = None,
     each: Each | None = None,
+    name: str = "",
 ) -> Mistake[Exchange]:
-    """What a student is told who put these laws in the place of one of the step, or of those named; `where` says which root."""
+    """What a student is told who put these laws in the place of one of the step, or of those named; `where` says which root.
+    `name` is that of the misconception, the same wherever it is listed."""
     named = (instead,) if isinstance(instead, str) else instead
     which = None if where is None else as_condition(where)
-    return Mistake(text, Exchange(only_laws(laws), tuple(filter(None, named)), which, each), line_of_word())
+    rule = Exchange(only_laws(laws), tuple(filter(None, named)), which, each)
+    return Mistake(text, rule, line_of_word(), name)
 
 
 def route(because: str, *laws: Law) -> Route[Law]:
@@ -275,7 +278,7 @@ def proof(
     `rates` are the derivatives by time of the letters that change (`{mu: R, y: v0}`), by which `d(mu*v)/dt` is read; where they are
     stated, every other given is constant.
     """
-    wrong = tuple(Mistake(each.text, each.rule.laws, each.line) for each in mistakes)
+    wrong = tuple(Mistake(each.text, each.rule.laws, each.line, each.name) for each in mistakes)
     (target,) = only_laws((target,))
     return Proof(
         Statement(part, because, line_of_word()),

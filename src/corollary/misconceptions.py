@@ -1,6 +1,7 @@
 """A small library of common misconceptions: each takes the law as it is right, and states the mistake that bends it.
 
 Each takes the name of the law whose place it takes (`instead`), as `mistake` does, and `where`, which root is meant.
+The mistake has a name, so that it is recognized in other problems.
 """
 
 from __future__ import annotations
@@ -46,6 +47,7 @@ def sine_for_cosine(right: str, *, instead: str = "", where: Where = None) -> Mi
         right,
         lambda tree: mapped(tree, cofunction),
         "Sine and cosine have changed places: look which side of the triangle lies at the angle.",
+        "sine and cosine interchanged",
         instead,
         where,
     )
@@ -54,26 +56,40 @@ def sine_for_cosine(right: str, *, instead: str = "", where: Where = None) -> Mi
 def diameter_for_radius(right: str, r: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
     """The diameter in the place of the radius: `diameter_for_radius("A = pi*r^2", "r")`."""
     sentence = "You took the diameter where the radius belongs."
-    return _replaced(right, r, lambda name: Product((TWO, name)), sentence, instead, where)
+    return _replaced(
+        right, r, lambda name: Product((TWO, name)), sentence, "diameter for radius", instead, where
+    )
 
 
 def radius_for_diameter(right: str, d: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
     """The radius in the place of the diameter."""
     sentence = "You took the radius where the diameter belongs."
-    return _replaced(right, d, lambda name: Quotient(name, TWO), sentence, instead, where)
+    return _replaced(
+        right, d, lambda name: Quotient(name, TWO), sentence, "radius for diameter", instead, where
+    )
 
 
 def celsius_for_kelvin(right: str, T: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
     """Degrees Celsius in a law that needs the absolute temperature: `celsius_for_kelvin("p*V = n*R*T", "T")`."""
     sentence = "You took the temperature in °C; the law needs the absolute temperature, in K."
-    return _replaced(right, T, lambda name: Sum((name, Number(-ZERO_CELSIUS))), sentence, instead, where)
+    return _replaced(
+        right,
+        T,
+        lambda name: Sum((name, Number(-ZERO_CELSIUS))),
+        sentence,
+        "celsius for kelvin",
+        instead,
+        where,
+    )
 
 
 def left_out(
     right: str, letter: str, what: str, *, instead: str = "", where: Where = None
 ) -> Mistake[Exchange]:
     """A term that was forgotten, as if its letter were 0: `left_out("F - m*g = m*a", "g", "the weight")`."""
-    return _replaced(right, letter, lambda _: ZERO, f"You left {what} out.", instead, where)
+    return _replaced(
+        right, letter, lambda _: ZERO, f"You left {what} out.", f"{what} left out", instead, where
+    )
 
 
 def sign_reversed(
@@ -81,7 +97,7 @@ def sign_reversed(
 ) -> Mistake[Exchange]:
     """The other direction: `sign_reversed("dp = m*v2 - m*v1", "v1", "the velocity before")`."""
     sentence = f"Look at the sign of {what}."
-    return _replaced(right, letter, Negative, sentence, instead, where)
+    return _replaced(right, letter, Negative, sentence, f"sign of {what}", instead, where)
 
 
 def not_squared(right: str, letter: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
@@ -95,14 +111,21 @@ def not_squared(right: str, letter: str, *, instead: str = "", where: Where = No
                 return tree
 
     return _bent(
-        right, lambda tree: mapped(tree, without_square), f"You forgot to square {letter}.", instead, where
+        right,
+        lambda tree: mapped(tree, without_square),
+        f"You forgot to square {letter}.",
+        "square forgotten",
+        instead,
+        where,
     )
 
 
 def squared(right: str, letter: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
     """A letter squared that is not: `squared("p = m*v", "v")`."""
     sentence = f"{letter} is not squared here."
-    return _replaced(right, letter, lambda name: Power(name, TWO), sentence, instead, where)
+    return _replaced(
+        right, letter, lambda name: Power(name, TWO), sentence, "squared too often", instead, where
+    )
 
 
 def half_forgotten(right: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
@@ -111,6 +134,7 @@ def half_forgotten(right: str, *, instead: str = "", where: Where = None) -> Mis
         right,
         lambda side: Product((TWO, side)),
         "You forgot the factor one half.",
+        "factor 1/2 left out",
         instead,
         where,
     )
@@ -122,6 +146,7 @@ def upside_down(right: str, *, instead: str = "", where: Where = None) -> Mistak
         right,
         lambda side: Quotient(ONE, side),
         "Your fraction is upside down; compare the units of both sides.",
+        "fraction upside down",
         instead,
         where,
     )
@@ -135,6 +160,7 @@ def swapped(
         right,
         lambda tree: substitute(tree, {one: Name(other), other: Name(one)}),
         f"{what[:1].upper()}{what[1:]} have changed places.",
+        f"{what} interchanged",
         instead,
         where,
         one,
@@ -143,25 +169,37 @@ def swapped(
 
 
 def _replaced(
-    right: str, letter: str, by: Callable[[Name], Expr], sentence: str, instead: str, where: Where
+    right: str, letter: str, by: Callable[[Name], Expr], sentence: str, name: str, instead: str, where: Where
 ) -> Mistake[Exchange]:
     return _bent(
-        right, lambda tree: substitute(tree, {letter: by(Name(letter))}), sentence, instead, where, letter
+        right,
+        lambda tree: substitute(tree, {letter: by(Name(letter))}),
+        sentence,
+        name,
+        instead,
+        where,
+        letter,
     )
 
 
 def _right_side(
-    right: str, change: Callable[[Expr], Expr], sentence: str, instead: str, where: Where
+    right: str, change: Callable[[Expr], Expr], sentence: str, name: str, instead: str, where: Where
 ) -> Mistake[Exchange]:
     def bent(tree: Expr) -> Expr:
         assert isinstance(tree, Relation)
         return Relation(tree.sign, tree.left, change(tree.right))
 
-    return _bent(right, bent, sentence, instead, where)
+    return _bent(right, bent, sentence, name, instead, where)
 
 
 def _bent(
-    right: str, change: Callable[[Expr], Expr], sentence: str, instead: str, where: Where, *letters: str
+    right: str,
+    change: Callable[[Expr], Expr],
+    sentence: str,
+    name: str,
+    instead: str,
+    where: Where,
+    *letters: str,
 ) -> Mistake[Exchange]:
     """Raises ValueError where the law is none, or does not have what the misconception changes; TypeError where it is no text."""
     if not isinstance(right, str):  # pyright: ignore[reportUnnecessaryIsInstance]
@@ -177,5 +215,8 @@ def _bent(
     if changed == tree:
         raise ValueError(f"{right!r} stays as it is: there is nothing in it to be mistaken so")
     return Mistake(
-        sentence, Exchange((wrong(text(changed)),), (instead,) if instead else (), where), line_of_word()
+        sentence,
+        Exchange((wrong(text(changed)),), (instead,) if instead else (), where),
+        line_of_word(),
+        name,
     )

@@ -72,14 +72,14 @@ def derive(m, F, mu, s, g):
         ),
         step(v, "Without time.", law("Way", "v^2 = 2*a*s"), answers="b", where=v >= 0, scale=g*s,
              mistakes=[half_forgotten("v^2/2 = a*s", where=v >= 0),
-                       mistake("No factor.", wrong("v^2 = a*s"), where=And(v >= 0, v < 100))],
+                       mistake("No factor.", wrong("v^2 = a*s"), where=And(v >= 0, v < 100), name="no two")],
              routes=[route("By energy.", law("Energy", "m*v^2/2 = (F - f)*s"))],
              check="A heavy one is slow."),
         step(J, "Momentum.", momentum(J, m, v)),
         choice("c", "Down it goes.", a=False, b=True, mistakes={"a": "Up?"}),
         proof("d", "From the start.", law("Mean", "s = v*t/2", t=v/a), target=law("Speed", "v^2 = 2*a*s"),
               lines=["s = v*v/(2*a)"], given=[law("Rest", "J = m*v")],
-              mistakes=[mistake("Not half.", wrong("s = v*t", t=v/a))]),
+              mistakes=[mistake("Not half.", wrong("s = v*t", t=v/a), name="not half")]),
         explain("e", "names the floor", "names the weight", answer="Because the floor carries it."),
         example("f", (p, q), "They cancel.", law("Sum", "p + q = 0"), apart=[((0, 0), "no forces")], scale=F),
         limit(v, s, 0, 0),
@@ -137,7 +137,7 @@ Without time.
 - where: `v >= 0`
 - scale: `g*s`
 - mistake: `half_forgotten("v^2/2 = a*s")` where `v >= 0`
-- mistake: No factor. `v^2 = a*s` where `v >= 0 and v < 100`
+- mistake: No factor. `v^2 = a*s` where `v >= 0 and v < 100` named "no two"
 - route: By energy.
   - law: Energy, `m*v^2/2 = (F - f)*s`
 - check: A heavy one is slow.
@@ -164,6 +164,7 @@ From the start.
 - given: Rest, `J = m*v`
 - line: `s = v*v/(2*a)`
 - mistake: Not half. `s = v*t` with `t = v/a`
+  - named: not half
 
 ## (e)
 

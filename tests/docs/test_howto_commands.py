@@ -26,6 +26,7 @@ TERM = [
         "howto/choose_when_solutions_appear",
         "howto/correct_a_problem",
         "howto/read_the_report",
+        "howto/see_the_term",
         "howto/accept_misread_answers",
         "howto/see_which_questions_work",
         "howto/export_marks",
@@ -129,7 +130,7 @@ def test_the_commands_of_the_how_to_pages_run(
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COROLLARY_COURSE", str(tmp_path / "mechanics"))
     Path("roster.csv").write_text(
-        "id,first_name,last_name,email\nada,Ada,Lovelace,ada@example.org\nbo,Bo,Boole,bo@example.org\n"
+        "id,first_name,last_name,email,section,group\nada,Ada,Lovelace,ada@example.org,A,3\nbo,Bo,Boole,bo@example.org,B,3\n"
     )
 
     Path("cases.json").write_text('[{"answers": {"a": "m*v"}}]')

@@ -23,6 +23,7 @@ from corollary.cli.parameters import (
     FORGOTTEN,
     FORMAT,
     GENERATED_BANK,
+    IN_PART,
     JSON,
     LISTED,
     MARKING,
@@ -317,6 +318,7 @@ command(
     COURSE,
     GENERATED_BANK,
     *MARKING,
+    *IN_PART,
     *PAGE,
     JSON,
 )
@@ -332,6 +334,18 @@ command(
         "--statistics", "Add difficulty, discrimination, and the effect of the numbers drawn, with intervals."
     ),
     path("--csv", text="Write these statistics here as a table."),
+    *IN_PART,
+)
+command(
+    "term",
+    "Show the term as a whole: totals over sets, who misses what or falls behind, misconceptions from set to set.",
+    COURSE,
+    *IN_PART,
+    JSON,
+    path("--output", "-o", text="Write the page here."),
+    path("--csv", text="Write the totals here as a table."),
+    path("--missing", text="Write who misses a set or falls behind here, with addresses for a mail merge."),
+    path("--misconceptions", text="Write each student's misconceptions by set here as a table."),
 )
 command(
     "export",

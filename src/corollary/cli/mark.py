@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +24,7 @@ from corollary.nbgrader.hand_marking import (
 from corollary.problem.bank import Bank
 from corollary.problem.csv_table import read_table
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.files import Course, open_course, students
+from corollary.records.files import Course, ids_in, open_course, students
 from corollary.records.manual_marks import COMMAND, FILE, ManualMark, RubricItem, login_name
 from corollary.records.marks import stored_record
 from corollary.records.near_miss_groups import AnswerGroup, PartToMark, near_misses_record
@@ -140,8 +140,11 @@ def run(
     accepted: list[str],
     no_browser: bool,
     port: int = 0,
+    section: str | None = None,
+    group: str | None = None,
 ) -> int:
     opened = open_course(course)
+    only = ids_in(opened, section, group)
     place, problem_set = set_of(opened, name, bank)
     written = (
         (_accepted(opened, problem_set, accepted) if accepted else {})
@@ -155,17 +158,17 @@ def run(
         except NotMarkable as error:
             raise NotMarkable(f"{error}; no mark was given") from None
     elif terminal:
-        parts = to_mark(opened, problem_set, everything=everything)
+        parts = to_mark(opened, problem_set, everything=everything, only=only)
         people = {} if anonymous else {each.id: each.name for each in students(opened)}
         mark_in_terminal(
             parts, lambda part, group, mark: _give(opened, problem_set, part, group, mark), people
         )
     elif not as_json:
-        _serve(opened, problem_set, place, everything, anonymous, no_browser, port)
+        _serve(opened, problem_set, place, everything, anonymous, only, no_browser, port)
     if marks or terminal or not as_json:
         up_to_date(opened, problem_set)  # the report's page, once for all marks
     if as_json:
-        left = to_mark(opened, problem_set, everything=everything)
+        left = to_mark(opened, problem_set, everything=everything, only=only)
         people = {} if anonymous else {each.id: each.name for each in students(opened)}
         parts = [_record(each, people) for each in left]
         answer({"set": problem_set.name, "given": len(marks), "parts": parts})
@@ -180,12 +183,13 @@ def _serve(
     bank: Bank,
     everything: bool,
     anonymous: bool,
+    only: Collection[str] | None,
     no_browser: bool,
     port: int,
 ) -> None:
     from corollary.cli.mark_page import MarkPage  # brings the derivations
 
-    pages = MarkPage(course, problem_set, bank, everything, anonymous)
+    pages = MarkPage(course, problem_set, bank, everything, anonymous, only)
     pages.page()  # what is wrong with the course is said before anything is opened
     serve(
         OnePageServer(pages.page, pages.receive, port),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -66,6 +66,7 @@ class MarkPage:
     bank: Bank
     everything: bool
     anonymous: bool
+    only: Collection[str] | None = None
     cards: dict[str, AnswerCard] = field(default_factory=dict[str, AnswerCard])
     parts: dict[str, PartToMark] = field(default_factory=dict[str, PartToMark])
 
@@ -89,7 +90,7 @@ class MarkPage:
 
     def page(self) -> str:
         """A page with cards of its own. Raises NotACourse, NothingGraded."""
-        state = marking_state(self.course, self.problem_set, everything=self.everything)
+        state = marking_state(self.course, self.problem_set, everything=self.everything, only=self.only)
         ids: dict[tuple[str, int], str] = {}
         places: dict[str, int] = {}
         questions: dict[str, PartQuestion] = {}

@@ -130,6 +130,10 @@ RUNNING = (
     click.Option(["--executor"], default="", metavar="tcp://HOST:PORT", help="Mark on this Dask cluster."),
 )
 # How a person marks.
+IN_PART = (
+    text("--section", "Only the students of this section, by the roster's column."),
+    text("--group", "Only the students of this group, by the roster's column."),
+)
 MARKING = (
     click.Option(
         ["--all", "everything"], is_flag=True, help="Include answers that were marked automatically."

@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 from corollary.cli.ending import HOLDS, answer, say
 from corollary.cli.terminal import bar, console
 from corollary.course.up_to_date import up_to_date
+from corollary.nbgrader.written_marks import current_manual
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.files import Course, open_course
+from corollary.records.files import Course, ids_in, open_course
 from corollary.records.origin import set_of
-from corollary.records.report_model import Report, report_record
+from corollary.records.report_model import Report, report_of, report_record
 from corollary.records.settings import read_settings
 
 if TYPE_CHECKING:
@@ -28,10 +29,15 @@ def run(
     output: Path | None,
     statistics: bool,
     csv: Path | None,
+    section: str | None = None,
+    group: str | None = None,
 ) -> int:
     opened = open_course(course)
     place, problem_set = set_of(opened, name, bank)
+    only = ids_in(opened, section, group)
     found = up_to_date(opened, problem_set)
+    if only is not None:
+        found = report_of(opened, problem_set, current_manual(opened), only=only)
     estimates = _statistics(opened, problem_set, place, found) if statistics or csv is not None else None
     if estimates is not None and csv is not None:
         from corollary.problem.csv_table import table_text

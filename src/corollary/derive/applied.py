@@ -43,7 +43,8 @@ def supposed_value(stated: Supposed) -> SupposedValue:
 def applied_proof(entry: Proof[Law], stated: str = "") -> SolvedProof:
     """`stated` are the equations that the question states, parted by semicolons. Raises ValueError where one is none."""
     mistakes = tuple(
-        Mistake(mistake.text, tuple(map(applied, mistake.rule)), mistake.line) for mistake in entry.mistakes
+        Mistake(mistake.text, tuple(map(applied, mistake.rule)), mistake.line, mistake.name)
+        for mistake in entry.mistakes
     )
     laws = tuple(map(applied, entry.laws))
     given = (

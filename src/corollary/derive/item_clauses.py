@@ -32,7 +32,7 @@ ALLOWED: Mapping[str, tuple[str, ...]] = {
 OF_A_LAW = ("with", "holds", "source")
 BELOW: Mapping[str, tuple[str, ...]] = {
     **dict.fromkeys(("law", "proof", "given", "along"), OF_A_LAW),
-    "mistake": ("each", "law", "where", "with", "instead of"),
+    "mistake": ("each", "law", "where", "with", "instead of", "named"),
     "route": ("law",),
     "confirm": ("law",),
     "printed": ("erratum",),
@@ -41,7 +41,7 @@ BELOW: Mapping[str, tuple[str, ...]] = {
     "plot": ("judge", "example", "with calls"),
 }
 """The items that may stand below an item."""
-CLAUSES = ("law", "with", "where", "instead of")
+CLAUSES = ("law", "with", "where", "instead of", "named")
 
 
 def first_item(section: Section, key: str) -> ListItem:
@@ -52,6 +52,14 @@ def only_text(items: Sequence[ListItem]) -> str:
     if len(items) != 1:
         raise MarkdownError(items[1].line, f"{items[1].key} stands here for the second time")
     return items[0].text
+
+
+def name_of_mistake(item: ListItem, behind: Sequence[str] = ()) -> str:
+    """The name of a misconception: one `behind` the formula, or in an item below. Raises ValueError for several."""
+    found = [*behind, *(each.text.strip().strip('"') for each in item.values("named"))]
+    if len(found) > 1:
+        raise ValueError(f"a mistake has one name, and here stand {' and '.join(found)}")
+    return " ".join(found[0].split()) if found else ""
 
 
 def named_below(item: ListItem, key: str) -> str:
@@ -82,34 +90,35 @@ def formula_and_words(item: ListItem) -> tuple[str, str]:
 
 def clauses_of(item: ListItem) -> tuple[str, dict[str, list[str]]]:
     """The words of an item up to its first formula, and its formulas and names by the word before each: none for a law, `with`,
-    `where`, `instead of "…"`."""
+    `where`, `instead of "…"`, `named "…"`."""
     if item.text.count("`") % 2:
         raise ValueError(f"a backtick is missing; a formula stands between two, `…`: {item.text[:80]}")
     words, mark, rest = item.text.partition("`")
     found: dict[str, list[str]] = {clause: [] for clause in CLAUSES}
     if not mark:
         return words.strip(), found
-    rest, key = mark + rest, "law"
+    rest = mark + rest
+    key: str = "law"
     head = re.search(r'\s(instead of)\s+"[^"]+"[,\s]*$', words)
     if head:
         words, rest = words[: head.start()], words[head.start() :].strip() + " " + rest
     for piece in re.finditer(
-        r'`(?P<formula>[^`]*)`|"(?P<name>[^"]+)"|(?P<word>with|where|instead of|and)\b|(?P<other>[^`"\s,;]+)',
+        r'`(?P<formula>[^`]*)`|"(?P<name>[^"]+)"|(?P<word>with|where|instead of|named|and)\b|(?P<other>[^`"\s,;]+)',
         rest,
     ):
         if piece["word"]:
             key = key if piece["word"] == "and" else piece["word"]
         elif piece["formula"] is not None:
-            found["law" if key == "instead of" else key].append(piece["formula"].strip())
+            found["law" if key in {"instead of", "named"} else key].append(piece["formula"].strip())
             key = "law" if key != "with" else key
         elif piece["name"]:
-            found["instead of"].append(piece["name"])
-        elif hint := did_you_mean(piece["other"], ("where", "with", "instead of")):
+            found["named" if key == "named" else "instead of"].append(piece["name"])
+        elif hint := did_you_mean(piece["other"], ("where", "with", "instead of", "named")):
             raise ValueError(f"{piece['other']!r} is no word for what stands behind a formula{hint}")
         else:
             raise ValueError(
                 f"{piece['other']!r} stands behind a formula; the words for the reader come before it (formulas among them between $), "
-                'and behind it only with `…`, where `…`, instead of "…"'
+                'and behind it only with `…`, where `…`, instead of "…", named "…"'
             )
     return words.strip().removesuffix(",").strip(), found
 

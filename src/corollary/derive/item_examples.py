@@ -69,6 +69,7 @@ ITEMS_BELOW: Mapping[str, tuple[str, str]] = {
     "source": ("where the law is from", "  - source: (12.31)"),
     "where": ("which root a mistake leads to", "  - where: `v > 0`"),
     "instead of": ("the law that a mistake replaces", '  - instead of: "Speed"'),
+    "named": ("the misconception's name, the same in every problem", '  - named: "factor 1/2 left out"'),
     "erratum": ("why a printed value is wrong", "  - erratum: a slip of the unit"),
     "inputs": ("the function that lists the inputs of a program", "  - inputs: `inputs`"),
     "judge": ("the function that judges", "  - judge: `judge`"),

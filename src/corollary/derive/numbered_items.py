@@ -9,6 +9,7 @@ from dataclasses import replace
 import sympy
 
 from corollary.derive.formula_text import LetterTable
+from corollary.derive.item_clauses import name_of_mistake
 from corollary.derive.markdown_items import ListItem, MarkdownError, Section
 from corollary.derive.statements import Each, Exchange, Mistake
 from corollary.laws.law import known_by_name
@@ -55,10 +56,10 @@ def mistake_in_list(
             raise ValueError(f"the whole numbers of this step are called {each.letter}, here, too")
         text = RANGE.sub("", item.text.strip()).strip().removesuffix("each").strip().removesuffix(",")
         rest = replace(item, text=text, items=[one for one in item.items if one.key != "each"])
-        if own is not None and "`" not in text and not rest.items:
+        if own is not None and "`" not in text and not [one for one in rest.items if one.key != "named"]:
             if not text:
                 raise ValueError("say what the student reads who made this mistake, before the numbers")
-            return Mistake(text, Exchange((), (), None, own), item.line)
+            return Mistake(text, Exchange((), (), None, own), item.line, name_of_mistake(item))
     except (ValueError, TypeError) as error:
         raise MarkdownError(item.line, str(error)) from error
     found = read(rest)

@@ -57,7 +57,7 @@ def _found(find: Unknown, number: int) -> Unknown:
     for each in find.mistakes:
         if not own_range(each.rule):
             wrong = entry_of(replace(find, local=each.rule), find.names[0], number).local
-            mistakes.append(Mistake(each.text, wrong, each.line))
+            mistakes.append(replace(each, rule=wrong))
     return replace(one, mistakes=tuple(mistakes))
 
 
@@ -70,7 +70,7 @@ def _stated(entry: Entry, numbers: dict[int, int], parts: dict[str, int]) -> Ent
                 laws=tuple(_numbered(law, letter, whole) for law in entry.laws),
                 where=entry.where if isinstance(entry.where, bool) else entry.where.subs(letter, whole),
                 mistakes=tuple(
-                    Mistake(each.text, _exchange(each.rule, letter, whole), each.line)
+                    replace(each, rule=_exchange(each.rule, letter, whole))
                     for each in entry.mistakes
                     if each.rule.each is None
                 ),

@@ -33,6 +33,7 @@ from corollary.derive.item_clauses import (
     first_item,
     formula_and_words,
     formula_of,
+    name_of_mistake,
     named_below,
     one_formula,
     only_text,
@@ -364,6 +365,7 @@ class SolutionReader:
             nested = self._laws(item.items, named=False)
             if not instead and nested and all(law.name in names for law in nested):
                 instead = tuple(dict.fromkeys(law.name for law in nested))
+            name = name_of_mistake(item, clauses["named"])
             formulas = clauses["law"]
             if len(formulas) == 1 and is_call(formulas[0]) and not nested:
                 called = self.table.call(formulas[0])
@@ -374,7 +376,7 @@ class SolutionReader:
                         instead or found.rule.instead,
                         found.rule.where if which is None else which,
                     )
-                    return Mistake(text or found.text, rule, item.line)
+                    return Mistake(text or found.text, rule, item.line, name or found.name)
             letters = ", ".join([*clauses["with"], *(formula_of(each) for each in item.values("with"))])
             laws = tuple(
                 self.table.law("", formula, "" if is_call(formula) else letters) for formula in formulas
@@ -385,7 +387,7 @@ class SolutionReader:
                 )
             if not text:
                 raise ValueError("say what the student reads who made this mistake, before the formula")
-            return Mistake(text, Exchange(laws + nested, instead, which), item.line)
+            return Mistake(text, Exchange(laws + nested, instead, which), item.line, name)
 
     def _optimum(self, section: Section, statement: Statement, names: tuple[sympy.Symbol, ...]) -> Optimum:
         item = first_item(section, "optimum")
@@ -459,7 +461,7 @@ class SolutionReader:
             with at_line(item.line):
                 if item.key == "mistake":
                     wrong = self._mistake(item)
-                    mistakes.append(Mistake(wrong.text, wrong.rule.laws, wrong.line))
+                    mistakes.append(Mistake(wrong.text, wrong.rule.laws, wrong.line, wrong.name))
                 elif item.key == "rate":
                     for name, rate in self.table.equations(formula_of(item)).items():
                         rates.append((self.table.symbol(name).name, rate))  # type: ignore[arg-type]

@@ -390,10 +390,9 @@ class Solver:
         finally:
             self.known = outer
         mistakes = tuple(
-            Mistake(
-                wrong.text,
-                ClosedForms(wrong.rule.trees, wrong.rule.trees[0], self.numbering(stated.rule.each)),
-                wrong.line,
+            replace(
+                wrong,
+                rule=ClosedForms(wrong.rule.trees, wrong.rule.trees[0], self.numbering(stated.rule.each)),
             )
             if stated.rule.each is not None and isinstance(wrong.rule, ClosedForms)
             else wrong
@@ -517,11 +516,11 @@ class Solver:
                 }
                 if changed and not changed & set(entry.unknowns):
                     continue
-            yield Mistake(mistake.text, forms(entry.unknowns, root), mistake.line)
+            yield Mistake(mistake.text, forms(entry.unknowns, root), mistake.line, mistake.name)
 
     def wrong(self, entry: Finding, mistake: Mistake[Exchange], where: Boolean | bool) -> Mistake[Rule]:
         root = self.wrong_root(entry, mistake, where)
-        return Mistake(mistake.text, forms(entry.unknowns, root), mistake.line)
+        return Mistake(mistake.text, forms(entry.unknowns, root), mistake.line, mistake.name)
 
     def wrong_root(self, entry: Finding, mistake: Mistake[Exchange], where: Boolean | bool) -> Root:
         """What is found by a mistake; `where` chooses only among several roots, for a mistake need not respect it."""

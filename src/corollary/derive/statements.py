@@ -109,11 +109,13 @@ class Exchange:
 
 @dataclass(frozen=True, slots=True)
 class Mistake(Generic[RuleT]):
-    """A misconception: what a student is told, and by what rule it finds the unknown."""
+    """A misconception: what a student is told, and by what rule it finds the unknown. `name` is the same wherever in a bank it
+    is listed (empty: it has none)."""
 
     text: str
     rule: RuleT
     line: int
+    name: str = ""
 
 
 @dataclass(frozen=True, slots=True)

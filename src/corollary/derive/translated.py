@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from corollary.derive.numbered_list import listed
 from corollary.derive.solution import AppliedLaw, Solution, SolvedNeglected, SolvedRoute, Unknown, Unsolved
-from corollary.derive.statements import Code, CurveFormula, Explain, FunctionFormula, Mistake, Plot, Statement
+from corollary.derive.statements import Code, CurveFormula, Explain, FunctionFormula, Plot, Statement
 
 Say = Callable[[str], str]
 
@@ -50,7 +50,7 @@ def translated(solution: Solution, say: Say) -> Solution:
                 proof,
                 statement=_statement(proof.statement, say),
                 laws=tuple(_law(law, say) for law in proof.laws),
-                mistakes=tuple(Mistake(say(each.text), each.rule, each.line) for each in proof.mistakes),
+                mistakes=tuple(replace(each, text=say(each.text)) for each in proof.mistakes),
             )
             for part, proof in solution.proofs.items()
         },
@@ -76,7 +76,7 @@ def _unknown(find: Unknown, say: Say) -> Unknown:
         find,
         statement=_statement(find.statement, say),
         laws=tuple(_law(law, say) for law in find.laws),
-        mistakes=tuple(Mistake(say(each.text), each.rule, each.line) for each in find.mistakes),
+        mistakes=tuple(replace(each, text=say(each.text)) for each in find.mistakes),
         routes=tuple(
             SolvedRoute(
                 replace(

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Any
@@ -118,18 +118,30 @@ class ChangedMeanwhile(ValueError):
         )
 
 
-def to_mark(course: Course, problem_set: ProblemSet, *, everything: bool = False) -> list[PartToMark]:
+def to_mark(
+    course: Course,
+    problem_set: ProblemSet,
+    *,
+    everything: bool = False,
+    only: Collection[str] | None = None,
+) -> list[PartToMark]:
     """The parts with answers that wait for a person, are near misses, were changed in the gradebook or have a request, or
-    `everything`, in the order of the set. Raises NotACourse and NothingGraded."""
-    return list(marking_state(course, problem_set, everything=everything).parts)
+    `everything`, in the order of the set; with `only`, of these students. Raises NotACourse and NothingGraded."""
+    return list(marking_state(course, problem_set, everything=everything, only=only).parts)
 
 
-def marking_state(course: Course, problem_set: ProblemSet, *, everything: bool = False) -> MarkingState:
+def marking_state(
+    course: Course,
+    problem_set: ProblemSet,
+    *,
+    everything: bool = False,
+    only: Collection[str] | None = None,
+) -> MarkingState:
     """The same, with the students' progress."""
     check_graded(course, problem_set.name)
     with one_writer(course):
         manual = synchronized(course)
-    roster = [student.id for student in students(course)]
+    roster = [student.id for student in students(course) if only is None or student.id in only]
     records = read_marks(course, problem_set, roster, manual)
     outside = {
         (place.student, place.part): each for place, each in read_outside(course, problem_set.name).items()

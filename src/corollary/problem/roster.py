@@ -7,7 +7,7 @@ import re
 import unicodedata
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from corollary.messages import few
@@ -50,11 +50,13 @@ NAMES = (
     "fullt navn",
     "participant",
 )
+SECTIONS = ("section", "sections", "sektion", "seksjon")
+GROUPS = ("group", "groups", "gruppe", "gruppen", "grupper", "groupe", "groupes", "grupo", "grupos")
 OTHERS = (
-    "identifier", "section", "group", "groups", "roles", "role", "status", "root account", "integration id", "institution", "department",
+    "identifier", "roles", "role", "status", "root account", "integration id", "institution", "department",
     "last access to course", "last access", "grade", "maximum grade", "city/town", "country",
 )  # fmt: skip
-HEADINGS = frozenset((*IDS, *EMAILS, *FIRST_NAMES, *LAST_NAMES, *NAMES, *OTHERS))
+HEADINGS = frozenset((*IDS, *EMAILS, *FIRST_NAMES, *LAST_NAMES, *NAMES, *SECTIONS, *GROUPS, *OTHERS))
 AT, DIGIT = re.compile("@"), re.compile(r"\d")
 
 
@@ -68,6 +70,8 @@ class Columns:
     last_name: int | None
     name: int | None
     email: int | None
+    section: int | None = None
+    group: int | None = None
 
 
 def columns_of(headings: Sequence[str]) -> Columns:
@@ -77,10 +81,11 @@ def columns_of(headings: Sequence[str]) -> Columns:
     def places(names: Sequence[str]) -> tuple[int, ...]:
         return tuple(lower.index(name) for name in names if name in lower)
 
-    first, last, name, email = (
-        next(iter(places(names)), None) for names in (FIRST_NAMES, LAST_NAMES, NAMES, EMAILS)
+    others = (
+        next(iter(places(names)), None)
+        for names in (FIRST_NAMES, LAST_NAMES, NAMES, EMAILS, SECTIONS, GROUPS)
     )
-    return Columns(tuple(headings), (*places(IDS), *places(EMAILS)), first, last, name, email)
+    return Columns(tuple(headings), (*places(IDS), *places(EMAILS)), *others)
 
 
 def is_header(row: Sequence[str]) -> bool:
@@ -144,17 +149,30 @@ ROUNDED = re.compile(r"\d(?:[.,]\d+)?E\+\d+$", re.IGNORECASE)
 
 @dataclass(frozen=True, slots=True)
 class Student:
-    """`id` names the student's folders; `ids` are all that a roster or an LMS knows the student by, with the heading of each."""
+    """`id` names the student's folders; `ids` are all that a roster or an LMS knows the student by, with the heading of each.
+    `section` and `group` are as the roster has them; several stand with commas between."""
 
     id: str
     first_name: str = ""
     last_name: str = ""
     email: str = ""
     ids: tuple[tuple[str, str], ...] = field(default=(), compare=False)
+    section: str = field(default="", compare=False)
+    group: str = field(default="", compare=False)
+
+    def is_in(self, section: str = "", group: str = "") -> bool:
+        """True if the student is in this section and in this group; an empty name is that of all."""
+        return (not section or _among(section, self.section)) and (not group or _among(group, self.group))
 
     @property
     def name(self) -> str:
         return " ".join(part for part in (self.first_name, self.last_name) if part) or self.id
+
+
+def _among(name: str, listed: str) -> bool:
+    """True if a cell names it, alone or among others."""
+    found = {each.strip().casefold() for each in (listed, *re.split("[,;]", listed))}
+    return name.strip().casefold() in found
 
 
 @dataclass(frozen=True, slots=True)
@@ -256,7 +274,7 @@ def _with_ids(table: Table, columns: Columns, id_column: str, seen: str) -> Colu
     else:
         raise _refused(table.path, f"has no column {id_column}; its columns are {seen}")
     ids = (at, *(other for other in columns.ids if other != at))
-    return Columns(columns.headings, ids, columns.first_name, columns.last_name, columns.name, columns.email)
+    return replace(columns, ids=ids)
 
 
 def _described(columns: Columns) -> str:
@@ -327,7 +345,8 @@ def _student(columns: Columns, row: Sequence[str], at: int, known: Collection[st
     ids = tuple((columns.headings[each], value) for each in columns.ids if (value := _cell(row, each)))
     given = _cell(row, at)
     own = given if given in known else folder_name(given)
-    return Student(own, first.strip(), last.strip(), _cell(row, columns.email), ids)
+    about = {"section": _cell(row, columns.section), "group": _cell(row, columns.group)}
+    return Student(own, first.strip(), last.strip(), _cell(row, columns.email), ids, **about)
 
 
 def _trouble(

@@ -14,7 +14,7 @@ from functools import partial
 from pathlib import Path
 
 from corollary.atomic import write_whole
-from corollary.messages import did_you_mean
+from corollary.messages import did_you_mean, few
 from corollary.problem.csv_table import read_table
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.roster import COLUMNS, Student
@@ -23,6 +23,7 @@ from corollary.records.lms_names import Directory
 KEY_BYTES = 32
 # What nbgrader puts beside a notebook that was handed in.
 BESIDE = {"timestamp.txt", "submission_secret.txt"}
+PARTITIONS = ("section", "group")  # columns of the roster's copy where the roster had such
 GIVEN = "id as given"  # in the roster's copy: what stood in the column `id` before it became a folder's name
 OUTSIDE = re.compile(r"^\.|[/\\\x00]")  # what would lead out of the course's folders
 
@@ -123,9 +124,41 @@ def students(course: Course) -> tuple[Student, ...]:
                 "generate again with --roster"
             )
         name, first, last, email = (row[at] for at in places)
-        ids = tuple(("id" if heading == GIVEN else heading, row[at]) for at, heading in others if row[at])
-        found.append(Student(name, first, last, email, ids))
+        ids = tuple(
+            ("id" if heading == GIVEN else heading, row[at])
+            for at, heading in others
+            if row[at] and heading not in PARTITIONS
+        )
+        own = {heading: row[at] for at, heading in others if heading in PARTITIONS}
+        found.append(Student(name, first, last, email, ids, **own))
     return tuple(found)
+
+
+def students_in(course: Course, section: str = "", group: str = "") -> tuple[Student, ...]:
+    """Those of a section and a group; everybody where neither is named. Raises UnknownStudent where there is nobody."""
+    everybody = students(course)
+    found = tuple(each for each in everybody if each.is_in(section, group))
+    if found or not (section or group):
+        return found
+    wanted = " and ".join(f"{what} {name}" for what, name in (("section", section), ("group", group)) if name)
+    have = sorted({each.section for each in everybody if each.section})
+    groups = sorted({each.group for each in everybody if each.group})
+    known = [f"{what}s {few(names, 10)}" for what, names in (("section", have), ("group", groups)) if names]
+    raise UnknownStudent(
+        f"nobody on the roster of {course.folder} is in {wanted}; it has {' and '.join(known) or 'no sections and no groups'}"
+        + (
+            ""
+            if known
+            else ": give the roster a column section or group, and run corollary generate with it again"
+        )
+    )
+
+
+def ids_in(course: Course, section: str | None, group: str | None) -> frozenset[str] | None:
+    """The ids of those of a section and a group; None where neither is named. Raises UnknownStudent where there is nobody."""
+    if not section and not group:
+        return None
+    return frozenset(each.id for each in students_in(course, section or "", group or ""))
 
 
 def find_student(course: Course, name: str) -> Student:
@@ -161,14 +194,16 @@ def roster_table(roster: Iterable[Student]) -> str:
     headings += tuple(
         dict.fromkeys(heading for each in roster for heading, _ in each.ids if heading not in COLUMNS)
     )
+    partitions = tuple(name for name in PARTITIONS if any(getattr(each, name) for each in roster))
     table = io.StringIO()
     rows = csv.writer(table, lineterminator="\n")
-    rows.writerow([*COLUMNS, *headings])
+    rows.writerow([*COLUMNS, *headings, *partitions])
     for each in roster:
         about = [
             given[each.id] if heading == GIVEN else dict(each.ids).get(heading, "") for heading in headings
         ]
-        rows.writerow([each.id, each.first_name, each.last_name, each.email, *about])
+        own = [getattr(each, name) for name in partitions]
+        rows.writerow([each.id, each.first_name, each.last_name, each.email, *about, *own])
     return table.getvalue()
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from statistics import fmean, median
 from typing import get_args
@@ -159,13 +159,14 @@ def report_of(
     problem_set: ProblemSet,
     manual: ManualMarks | None = None,
     failures: Mapping[str, str] | None = None,
+    only: Collection[str] | None = None,
 ) -> Report:
     """The report from the records of a course, its rows in the order of the set's parts; `manual` is what persons gave (what
     the journal holds when left out); `failures` says over whose work this program failed, and how (at the last grading when left
-    out). Raises NotACourse."""
+    out). With `only`, the report is on these students. Raises NotACourse."""
     parts = [(problem.code, part.id) for problem in problem_set.problems for part in problem.parts]
     places = {part: place for place, part in enumerate(parts)}
-    roster = [student.id for student in students(course)]
+    roster = [student.id for student in students(course) if only is None or student.id in only]
     deadlines = read_deadlines(course, problem_set)
     excused = [student for student in roster if deadlines.excused(student)]
     roster = [student for student in roster if student not in excused]
@@ -173,7 +174,7 @@ def report_of(
     records = by_student.values()
     rows = [row for record in records for row in record.rows]
     rows.sort(key=lambda row: places.get((row.problem, row.part), len(places)))
-    shared = read_shared(course, problem_set)
+    shared = [each for each in read_shared(course, problem_set) if only is None or each.student in only]
     name, known = problem_set.name, set(roster)
     unusable = {
         student: why_unclear(name, names)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,7 @@ from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, TableNode, TextNode
 from corollary.problem.late_penalty import LateSteps, read_late_steps
 from corollary.problem.problem_set import Usual
+from corollary.records.term_rules import TermRules, term_complaint, term_rules
 
 FILE = "corollary.toml"
 TEXT = """\
@@ -46,6 +47,13 @@ TEXT = """\
 
 # The language of what students read.
 # language = "en"
+
+# The term as a whole (corollary term): weights of sets, the worst left out (drop, or best: so many count), and who falls behind.
+# [term]
+# weights = {{ project = 3 }}
+# drop = 1
+# missing = 2
+# below = 50
 """
 
 
@@ -62,6 +70,7 @@ class Settings:
     formgrader: str = ""
     language: str = ""
     late: LateSteps | None = None
+    term: TermRules = field(default_factory=TermRules)
 
     @property
     def usual(self) -> Usual:
@@ -94,7 +103,8 @@ def read_settings(folder: Path) -> Settings:
         raise Malformed(complaints)
     late = table.pop("late", None)
     steps = None if late is None else _late_steps(path, late, _line(text, "late"))
-    return Settings(**_with_bank(folder, table), late=steps)
+    rules = term_rules(table.pop("term", {}))
+    return Settings(**_with_bank(folder, table), late=steps, term=rules)
 
 
 def _late_steps(path: Path, table: Mapping[str, object], line: int) -> LateSteps:
@@ -124,7 +134,8 @@ def write_language(folder: Path, code: str) -> None:
     path = folder / FILE
     text, line = path.read_text(encoding="utf-8-sig"), f'language = "{code}"'
     found, count = re.subn(r"(?m)^[ \t]*(?:# )?language[ \t]*=.*$", line, text, count=1)
-    write_whole(path, found if count else f"{text.rstrip()}\n\n{line}\n")
+    # At the top: below the last line it would belong to a table such as [term].
+    write_whole(path, found if count else f"{line}\n\n{text}")
 
 
 def _with_bank(folder: Path, table: Mapping[str, Any]) -> dict[str, Any]:
@@ -208,4 +219,5 @@ CHECKS: dict[str, Callable[[object], str]] = {
     "formgrader": _formgrader,
     "language": _language,
     "late": _late,
+    "term": term_complaint,
 }
