@@ -48,12 +48,8 @@ TEXT = """\
 # The language of what students read.
 # language = "en"
 
-# The term as a whole (corollary term): weights of sets, the worst left out (drop, or best: so many count), and who falls behind.
-# [term]
-# weights = {{ project = 3 }}
-# drop = 1
-# missing = 2
-# below = 50
+# The term as a whole (corollary term): weights of sets, how many of the worst are left out, and who falls behind.
+# term = {{weights = {{project = 3}}, drop = 1, missing = 2, below = 50}}
 """
 
 
