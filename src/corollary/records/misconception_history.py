@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from corollary.records.misconception_names import MISTAKEN, SLIP, Misconception, MisconceptionNames
-from corollary.records.term import SetMark, Term
+from corollary.records.term import CourseTerm, SetMark
 
 REPEATED, ONCE, LOST = "repeated", "once", "lost"
 PASSED = frozenset({"right", "follows"})
@@ -46,7 +46,7 @@ class MisconceptionTerm:
         return len(self.repeated) + len(self.once) + len(self.lost)
 
 
-def names_of(term: Term) -> MisconceptionNames:
+def names_of(term: CourseTerm) -> MisconceptionNames:
     """The names of all that the solutions of the term's sets list."""
     names = MisconceptionNames()
     for each in term.sets:
@@ -56,7 +56,7 @@ def names_of(term: Term) -> MisconceptionNames:
     return names
 
 
-def followed(term: Term, names: MisconceptionNames) -> tuple[Followed, ...]:
+def followed(term: CourseTerm, names: MisconceptionNames) -> tuple[Followed, ...]:
     """Every misconception of every student of the term, students in the order of the roster."""
     found: list[Followed] = []
     for line in term.students:

@@ -59,11 +59,11 @@ def mistakes_in(bank: Bank, problem: Problem) -> tuple[NamedMistake, ...]:
     problem = problem.as_written
     content = source(bank, problem) + problem.path.read_bytes() + __version__.encode()
     origin = hashlib.sha256(content).hexdigest()
-    kept = user_cache.name_of(f"{problem.name}-mistakes", bank.solution(problem))
-    if (text := user_cache.read(kept, origin)) is not None:
+    cached = user_cache.name_of(f"{problem.name}-mistakes", bank.solution(problem))
+    if (text := user_cache.read(cached, origin)) is not None:
         return msgspec.json.decode(text, type=tuple[NamedMistake, ...])
     found = tuple(dict.fromkeys(_stated(bank, problem)))
-    user_cache.write(kept, origin, msgspec.json.encode(found))
+    user_cache.write(cached, origin, msgspec.json.encode(found))
     return found
 
 
@@ -116,14 +116,16 @@ class MisconceptionNames:
             self.shows[place] = self.shows.get(place, frozenset()) | {found}
             for code in languages():
                 with language(code):
-                    self.texts[problem.code, _plain(text_in_language(problem.as_written, each.text))] = found
-            self.texts[problem.code, _plain(each.text)] = found
+                    self.texts[problem.code, _unwrapped(text_in_language(problem.as_written, each.text))] = (
+                        found
+                    )
+            self.texts[problem.code, _unwrapped(each.text)] = found
 
     def named(self, problem: str, verdict: str, sentence: str) -> Misconception:
         """What a record's mistake or slip is; one that nobody lists any more is a misconception of its problem."""
         if verdict == SLIP:
             return Misconception(_slip(sentence), is_slip=True)
-        return self.texts.get((problem, _plain(sentence)), Misconception(sentence, problem))
+        return self.texts.get((problem, _unwrapped(sentence)), Misconception(sentence, problem))
 
 
 def misconception_of(code: str, listed: NamedMistake) -> Misconception:
@@ -152,5 +154,5 @@ def _slips(code: str) -> list[tuple[re.Pattern[str], str]]:
     return _PATTERNS[code]
 
 
-def _plain(text: str) -> str:
+def _unwrapped(text: str) -> str:
     return " ".join(text.split())

@@ -92,7 +92,7 @@ class StudentTerm:
 
 
 @dataclass(frozen=True, slots=True)
-class Term:
+class CourseTerm:
     """`marks` are those of each student by set; `notes` are sentences on what could not be read."""
 
     rules: TermRules
@@ -112,7 +112,7 @@ def read_term(
     manual: ManualMarks,
     now: datetime,
     only: Collection[str] | None = None,
-) -> Term:
+) -> CourseTerm:
     """The term of those on the roster (with `only`, of these). Raises NotACourse and UnknownCode."""
     roster = [each for each in students(course) if only is None or each.id in only]
     notes, graded = list[str](), set(graded_sets(course))
@@ -144,7 +144,7 @@ def read_term(
         _student_term(student, [column[place] for column in results], found, weights, rules)
         for place, student in enumerate(roster)
     ]
-    return Term(rules, tuple(found), tuple(people), marks, tuple(notes))
+    return CourseTerm(rules, tuple(found), tuple(people), marks, tuple(notes))
 
 
 _Found = tuple[str, Bank | None, ProblemSet | None]

@@ -26,7 +26,7 @@ class TermRules:
     below: float = 50.0
     practice_site: str = ""
 
-    def kept(self, counted: int) -> int:
+    def chosen(self, counted: int) -> int:
         """How many of so many sets make a total: at least one."""
         wanted = counted - self.drop if self.best is None else min(self.best, counted)
         return max(1, wanted) if counted else 0

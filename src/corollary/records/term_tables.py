@@ -8,14 +8,14 @@ from typing import Any
 
 from corollary.records.misconception_history import Followed, MisconceptionTerm
 from corollary.records.misconception_names import Misconception
-from corollary.records.term import StudentTerm, Term
+from corollary.records.term import CourseTerm, StudentTerm
 from corollary.records.term_totals import MARKED, MISSING, OPEN, SetResult
 
 ABOUT = ("id", "first_name", "last_name", "email", "section", "group")
 
 
 def term_record(
-    term: Term, followed: Sequence[Followed], lines: Sequence[MisconceptionTerm]
+    term: CourseTerm, followed: Sequence[Followed], lines: Sequence[MisconceptionTerm]
 ) -> dict[str, Any]:
     """The term as plain data: shares from 0 to 1, a `total` that is not final is null and has `low` and `high`."""
     own: dict[str, list[Followed]] = {}
@@ -53,7 +53,7 @@ def term_record(
     }
 
 
-def _student_record(term: Term, line: StudentTerm, followed: Sequence[Followed]) -> dict[str, Any]:
+def _student_record(term: CourseTerm, line: StudentTerm, followed: Sequence[Followed]) -> dict[str, Any]:
     return {
         **{name: getattr(line.student, name) for name in ABOUT[1:]},
         "name": line.student.name,
@@ -84,7 +84,7 @@ def _named(what: Misconception) -> dict[str, Any]:
     return {"name": what.name, "kind": kind, "problem": what.problem or None}
 
 
-def totals_rows(term: Term) -> Iterator[Sequence[str]]:
+def totals_rows(term: CourseTerm) -> Iterator[Sequence[str]]:
     """A row a student: per cent by set (a word where there is no mark, a range where it is not final), and the total, blank while it
     is not final."""
     yield (*ABOUT, *term.names, "total", "total_low", "total_high", "waiting", "missing", "dropped", "behind")
@@ -103,7 +103,7 @@ def totals_rows(term: Term) -> Iterator[Sequence[str]]:
         )
 
 
-def mail_rows(term: Term) -> Iterator[Sequence[str]]:
+def mail_rows(term: CourseTerm) -> Iterator[Sequence[str]]:
     """Those who miss a set or fall behind, for a mail merge: names and address, what is missing, and why they fall behind."""
     yield (*ABOUT, "name", "missing", "missing_titles", "total", "behind")
     titles = {each.name: each.title for each in term.sets}
@@ -120,7 +120,7 @@ def mail_rows(term: Term) -> Iterator[Sequence[str]]:
             )
 
 
-def history_rows(term: Term, followed: Sequence[Followed]) -> Iterator[Sequence[str]]:
+def history_rows(term: CourseTerm, followed: Sequence[Followed]) -> Iterator[Sequence[str]]:
     """A row for each misconception of each student, with the parts in which it was met in each set."""
     yield ("id", "name", "section", "group", "misconception", "problem", "kind", "status", *term.names)
     people = {line.student.id: line.student for line in term.students}

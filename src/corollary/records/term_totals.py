@@ -63,11 +63,11 @@ def term_total(results: Sequence[SetResult], weights: Sequence[float], rules: Te
     counted = [place for place, each in enumerate(results) if each.state in COUNTED and weights[place] > 0]
     if not counted:
         return TermTotal(None, None)
-    most = rules.kept(len(counted))
+    most = rules.chosen(len(counted))
     own = [weights[place] for place in counted]
     low, _ = best_mean([results[place].low for place in counted], own, most)
-    high, kept = best_mean([results[place].high for place in counted], own, most)
-    return TermTotal(low, high, frozenset(counted) - {counted[place] for place in kept})
+    high, chosen = best_mean([results[place].high for place in counted], own, most)
+    return TermTotal(low, high, frozenset(counted) - {counted[place] for place in chosen})
 
 
 def best_mean(shares: Sequence[float], weights: Sequence[float], count: int) -> tuple[float, frozenset[int]]:
@@ -81,10 +81,10 @@ def best_mean(shares: Sequence[float], weights: Sequence[float], count: int) -> 
     def mean(places: Sequence[int]) -> float:
         return sum(weights[at] * shares[at] for at in places) / sum(weights[at] for at in places)
 
-    kept: Sequence[int] = range(count)
+    chosen: Sequence[int] = range(count)
     while True:
-        found = mean(kept)
+        found = mean(chosen)
         gains = sorted(range(len(shares)), key=lambda at: (-weights[at] * (shares[at] - found), at))
         if mean(gains[:count]) <= found + SAME:
-            return found, frozenset(kept)
-        kept = gains[:count]
+            return found, frozenset(chosen)
+        chosen = gains[:count]

@@ -12,7 +12,7 @@ from rich.text import Text
 
 from corollary.messages import few, visible
 from corollary.records.misconception_history import Followed, MisconceptionTerm
-from corollary.records.term import StudentTerm, Term
+from corollary.records.term import CourseTerm, StudentTerm
 from corollary.records.term_totals import (
     EXCUSED,
     MARKED,
@@ -82,7 +82,7 @@ def _range(low: float, high: float, decimals: int) -> str:
     return f"{ends[0]} %" if high - low < 1e-12 else f"{ends[0]}–{ends[1]} %"
 
 
-def set_lines(term: Term) -> list[SetLine]:
+def set_lines(term: CourseTerm) -> list[SetLine]:
     """The sets in their order."""
     found: list[SetLine] = []
     for place, each in enumerate(term.sets):
@@ -97,7 +97,7 @@ def set_lines(term: Term) -> list[SetLine]:
     return found
 
 
-def rules_text(term: Term) -> str:
+def rules_text(term: CourseTerm) -> str:
     """How a total is made, in a sentence."""
     rules, weights = term.rules, {each.weight for each in term.sets}
     how = "each set counts the same" if len(weights) < 2 else "sets count by their weights"
@@ -110,7 +110,7 @@ def rules_text(term: Term) -> str:
     return f"A total is the mean share of the points so far: {how}."
 
 
-def behind_text(term: Term) -> str:
+def behind_text(term: CourseTerm) -> str:
     """The definition by which a student falls behind."""
     sets = "set" if term.rules.missing == 1 else "sets"
     return (
@@ -119,7 +119,7 @@ def behind_text(term: Term) -> str:
     )
 
 
-def headline(term: Term) -> str:
+def headline(term: CourseTerm) -> str:
     """The class in a sentence."""
     final = [line.total.value for line in term.students if line.total.value is not None]
     waiting = sum(line.total.low is not None and not line.total.is_final for line in term.students)
@@ -134,12 +134,12 @@ def headline(term: Term) -> str:
     return f"{students}, {sets}; {mean}{more if waiting else ''}"
 
 
-def terminal(term: Term, lines: Sequence[MisconceptionTerm]) -> RenderableType:
+def terminal(term: CourseTerm, lines: Sequence[MisconceptionTerm]) -> RenderableType:
     """Tables for rich."""
     return Group(*_pieces(term, lines))
 
 
-def _pieces(term: Term, lines: Sequence[MisconceptionTerm]) -> Iterator[RenderableType]:
+def _pieces(term: CourseTerm, lines: Sequence[MisconceptionTerm]) -> Iterator[RenderableType]:
     yield Text(headline(term))
     yield Text(rules_text(term), style="dim")
     yield _table(
@@ -201,7 +201,7 @@ def _pieces(term: Term, lines: Sequence[MisconceptionTerm]) -> Iterator[Renderab
         yield Text(visible(note))
 
 
-def has_trouble(term: Term) -> bool:
+def has_trouble(term: CourseTerm) -> bool:
     return any(
         each.trouble for line in term.students for each in line.results if each.state in {MARKED, WAITS}
     )
@@ -218,7 +218,7 @@ def _why(line: StudentTerm) -> str:
     return "; ".join(line.behind) + missing
 
 
-def _totals(term: Term) -> Table:
+def _totals(term: CourseTerm) -> Table:
     rows = (
         (
             line.student.id,
@@ -246,7 +246,7 @@ def _more(count: int) -> Iterator[Text]:
         yield Text(f"and {count - MOST} more; the page of -o FILE has them all", style="dim")
 
 
-def term_page(term: Term, followed: Sequence[Followed], lines: Sequence[MisconceptionTerm]) -> str:
+def term_page(term: CourseTerm, followed: Sequence[Followed], lines: Sequence[MisconceptionTerm]) -> str:
     """The term as one page of HTML."""
     own: dict[str, list[Followed]] = {}
     for each in followed:
