@@ -21,6 +21,7 @@ from corollary.derive.derivation import (
     one_by_one,
     one_for_each_part,
 )
+from corollary.derive.function_values import value_of
 from corollary.derive.simulation import NONE, Seen, Simulation
 from corollary.derive.stated_words import along as along
 from corollary.derive.stated_words import always as always
@@ -341,4 +342,6 @@ def simulate(
 
 
 def _tuple(unknowns: Unknowns) -> tuple[sympy.Symbol, ...]:
-    return unknowns if isinstance(unknowns, tuple) else (unknowns,)
+    """The unknowns; for a function, v(t), the one that stands for it at any time."""
+    every = unknowns if isinstance(unknowns, tuple) else (unknowns,)
+    return tuple(value_of(each) or each for each in every)

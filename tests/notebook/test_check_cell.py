@@ -272,7 +272,7 @@ def test_it_holds_questions_and_code_that_reads_and_nothing_that_judges(ada: Wor
     for question in carried["questions"]:
         assert set(question) == {
             "part", "name", "types", "unit", "title", "components", "options", "option_texts", "signature",
-            "symbols", "slope", "rows", "columns", "column_units", "positive", "reference", "extreme", "text",
+            "symbols", "slope", "rows", "columns", "column_units", "positive", "reference", "extreme", "text", "variables",
         }  # fmt: skip
     rooms = {name.split(".")[1] for name in carried["modules"] if "." in name}
     assert rooms <= {"answers", "formula", "messages", "notebook", "sandbox", "units"}

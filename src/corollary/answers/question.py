@@ -29,6 +29,7 @@ class Question:
     function, `force(t, dt)`; `symbols` are the givens of the problem; `slope` is the angle that directions along a slope turn by;
     `rows` and `columns` are the labels of a table, `column_units` the units of its columns, where they are not all `unit`;
     `extreme` tells that a least or a greatest value is asked for;
+    `variables` are those of the symbols that its formula is asked of, each with the ends of its domain in SI;
     `positive` is the positive direction in the problem's words, `reference` is from what it counts an angle; `text` is
     that of the part.
     """
@@ -51,6 +52,7 @@ class Question:
     reference: str = ""
     extreme: Extreme = ""
     text: str = ""
+    variables: tuple[tuple[str, float, float], ...] = ()
 
     @property
     def function(self) -> str:
@@ -97,6 +99,7 @@ class Question:
             "reference": self.reference,
             "extreme": self.extreme,
             "text": self.text,
+            "variables": self.variables,
             "symbols": [(symbol.name, symbol.unit.text, symbol.meaning) for symbol in self.symbols],
         }
 
@@ -123,4 +126,5 @@ class Question:
             data["reference"],
             data["extreme"],
             data["text"],
+            tuple((name, low, high) for name, low, high in data["variables"]),
         )

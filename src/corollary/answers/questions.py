@@ -33,7 +33,10 @@ def question_of(problem: Problem, part: Part) -> Question:
         tuple(option.letter for option in part.options),
         tuple(option.text for option in part.options),
         part.signature,
-        _symbols(problem.givens) if not problem.renamed else _symbols_asked(problem),
+        (
+            *(_symbols(problem.givens) if not problem.renamed else _symbols_asked(problem)),
+            *_variables(problem, part),
+        ),
         part.slope,
         part.rows,
         part.columns,
@@ -42,6 +45,7 @@ def question_of(problem: Problem, part: Part) -> Question:
         angle_reference(problem.statement, f"{part.title} {part.text}"),
         extreme_asked(part.title, part.text),
         " ".join(part.text.split()),
+        tuple((each.symbol, *each.ends) for each in problem.variables if each.symbol in part.of),
     )
 
 
@@ -76,6 +80,15 @@ def _symbols_asked(problem: Problem) -> tuple[Symbol, ...]:
     asked = dict(problem.renamed)
     there = [given for given in problem.givens if given.symbol in asked or given.symbol not in asked.values()]
     return tuple(Symbol(asked.get(given.symbol, given.symbol), given.unit, given.meaning) for given in there)
+
+
+def _variables(problem: Problem, part: Part) -> tuple[Symbol, ...]:
+    """The letters that the part's formula is asked of, each with its domain, too."""
+    return tuple(
+        Symbol(each.symbol, each.unit, f"{each.meaning}, {each.domain}")
+        for each in problem.variables
+        if each.symbol in part.of
+    )
 
 
 def checked(problem: Problem) -> Problem:
@@ -137,6 +150,8 @@ def _misfits(part: Part) -> Iterator[str]:
         yield f"part {part.id} asks for no quantity; leave tolerance=, because= and plausible= out"
     if part.plausible and part.column_units:
         yield f"part {part.id}: the columns of its table differ in their units; leave plausible= out"
+    if part.of and "expression" not in part.answer_types:
+        yield f"part {part.id}: only .expression parts are formulas of a variable; leave of= out, or ask for an .expression"
     if part.given and "proof" not in part.answer_types:
         yield f"part {part.id}: only .proof parts have given equations"
     if part.slope and "slope" not in accepted:
@@ -152,7 +167,9 @@ def _misfits(part: Part) -> Iterator[str]:
 
 def _foreseeable(part: Part) -> bool:
     """Whether its answer can be told in a number or a letter beforehand."""
-    return all(answer_type(name).stated_by in ("step", "choice") for name in part.answer_types)
+    return not part.of and all(
+        answer_type(name).stated_by in ("step", "choice") for name in part.answer_types
+    )
 
 
 def _possible(types: tuple[str, ...]) -> bool:

@@ -101,6 +101,9 @@ def _line(entry: dict[str, Any]) -> str:
         formula = _together(entry.get("expression", ""), ", ")
         formula = formula and f"   = {formula}"
         return f"{numbers if len(values) == 1 else f'({numbers})'}{unit}   [{how}]{formula}"
+    if "domain" in entry:
+        unit = "" if entry["unit"] == "1" else f" in {entry['unit']}"
+        return f"{_together(entry['expression'], ', ')}   [a formula of {', '.join(entry['domain'])}{unit}]"
     if "word" in entry:
         return entry["word"]
     if "choice" in entry:

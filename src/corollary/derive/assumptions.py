@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from copy import copy
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -172,14 +172,13 @@ class Known:
 
     def __init__(self, problem: Problem, ways: tuple[tuple[Relation, ...], ...] = ()):
         """Raises ValueError where no number drawn satisfies the relations of one of these ways, where there are any."""
-        givens = [symbol_of(problem, given.symbol) for given in problem.givens]
+        givens = [symbol_of(problem, each.symbol) for each in problem.letters]
         self.formulas: dict[sympy.Symbol, sympy.Expr] = {symbol: symbol for symbol in givens}
+        self.variables = {each.symbol for each in problem.variables}
         self.aside: dict[sympy.Symbol, sympy.Expr] = {}  # unknowns that laws needed and nobody asks for
         self.measured: set[sympy.Symbol] = set()
         self.functions: list[FoundFunction] = []
-        self.dimensions: dict[str, Dimension] = {
-            given.symbol: given.unit.dimension for given in problem.givens
-        }
+        self.dimensions: dict[str, Dimension] = {each.symbol: each.unit.dimension for each in problem.letters}
         drawn = MANY if ways else POINTS - 1
         variants = [chapter(problem), *sample(problem, drawn, salt="roots")]
         fitting = [
@@ -265,6 +264,18 @@ class Known:
                         each.balls[symbol.name] = ball
         return self._points
 
+    def refuse_variables(self, letters: Collection[str], remedy: str, but: Collection[str] = ()) -> None:
+        """Raises ValueError where letters stand for what depends on a variable that a part is not a formula of."""
+        formulas = [formula for symbol, formula in self.formulas.items() if symbol.name in letters]
+        depends = {each.name for formula in formulas for each in self.with_functions(formula).free_symbols}
+        for name in sorted((depends | {*letters}) & self.variables - {*but}):
+            raise ValueError(f"it depends on {name}, which is a variable{remedy.format(variable=name)}")
+
+    @property
+    def some_function(self) -> str:
+        """The name of a function for an example."""
+        return next((each.name for each in self.functions), "x")
+
     def found(self, unknowns: tuple[sympy.Symbol, ...], root: Root) -> None:
         """Closes the unknowns in the givens."""
         for symbol in unknowns:
@@ -312,6 +323,14 @@ class Known:
             names = ", ".join(sorted(map(str, strange)))
             raise ValueError(f"{names} is neither given nor derived before")
         return found
+
+    def as_written(self, condition: Any) -> tuple[tuple[Relation, ...], ...]:
+        """A relation that is true of all numbers, with its sides in givens, as clauses; none of a condition that joins several."""
+        if not isinstance(condition, sympy.core.relational.Relational):
+            return ()
+        stated = cast("Any", condition)
+        left, right = (tree(self.with_asides(side)) for side in (stated.lhs, stated.rhs))
+        return ((Relation(str(stated.rel_op).replace("==", "="), left, right),),)
 
     def relation_in_givens(self, text: str) -> Relation:
         """A relation as it is written, of which nothing is simplified, with all that has been found put in. Raises ValueError."""

@@ -47,7 +47,7 @@ def _holds(relation: Relation, si: Mapping[str, float]) -> bool:
 def _line(relation: Relation, si: Mapping[str, float], solution: Solution) -> str:
     if not names(relation) or relation.sign in EXACT or not _holds(relation, si):
         return ""
-    dimensions = {given.symbol: given.unit.dimension for given in solution.problem.givens}
+    dimensions = {each.symbol: each.unit.dimension for each in solution.problem.letters}
     for find in solution.unknowns:
         dimensions |= dict(zip(find.names, find.dimensions, strict=True))
     sides: list[str] = []

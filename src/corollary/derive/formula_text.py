@@ -15,6 +15,7 @@ from typing import Any, cast
 import sympy
 from sympy.logic.boolalg import Boolean
 
+from corollary.derive.function_values import value_of
 from corollary.formula.ast import Relation
 from corollary.formula.authored import as_condition, as_expression
 from corollary.formula.operators import read_operators
@@ -64,6 +65,10 @@ class LetterTable:
         if not isinstance(found, sympy.Symbol):
             raise ValueError(self.unknown(text.strip(), text))
         return found
+
+    def found(self, text: str) -> sympy.Symbol:
+        """A letter that a step finds: of a function, its value at any time. Raises ValueError."""
+        return value_of(self.meanings.get(text.strip())) or self.symbol(text)
 
     def meaning(self, text: str) -> Meaning:
         """A formula, several in brackets with commas between them, or the name of a vector."""

@@ -34,7 +34,8 @@ def eliminated(
 ) -> tuple[list[Pair], tuple[FoundFunction, ...]]:
     """Equations between numbers that are left when the functions in laws are found, and these. Raises ValueError where they cannot be."""
     pairs = [pair for law in laws for pair in sides(law)]
-    if not is_differential(pairs):
+    named = {value_of(each.applied) for each in known.functions}
+    if not is_differential(pairs) and not named & {*unknowns}:
         return pairs, ()
     return _Elimination(laws, pairs, unknowns, known).result()
 
@@ -53,6 +54,7 @@ class _Elimination:
         self, laws: Sequence[Law], pairs: Sequence[Pair], unknowns: Sequence[sympy.Symbol], known: Known
     ):
         self.known, self.unknowns = known, set(unknowns)
+        self.in_order = tuple(unknowns)
         self.laws, self.own = laws, functions_in(laws)
         self.pairs = [(self._with_known(left), self._with_known(right)) for left, right in pairs]
         self.functions: list[FoundFunction] = []
@@ -81,7 +83,13 @@ class _Elimination:
                     replace(earlier, formula=put_back(earlier.formula, [each])) for earlier in self.functions
                 ] + [each]
                 self.pairs = [(each.put_into(left), each.put_into(right)) for left, right in self.pairs]
+        self.pairs += self._asked_for()
         return self._left(), tuple(self.functions)
+
+    def _asked_for(self) -> list[Pair]:
+        """The functions that are themselves what the step finds: each unknown with the formula of the function of its name."""
+        every = {value_of(each.applied): each for each in (*self.known.functions, *self.functions)}
+        return [(each, every[each].formula) for each in self.in_order if each in every]
 
     def _with_known(self, side: sympy.Expr) -> sympy.Expr:
         """With the functions known already, and what was found in givens where that is derived or integrated."""
@@ -287,6 +295,11 @@ class _Elimination:
         one, other = one.evalf(15), other.evalf(15)
         if not abs(one - other) <= QUADRATURE * abs(other):
             raise ValueError(f"{before} was found to be {after}, which it is not; state it in another form")
+
+
+def value_of(meaning: object) -> sympy.Symbol | None:
+    """The unknown that stands for a function at any time, U for U(t); None where the letter means something else."""
+    return sympy.Symbol(str(meaning.func), real=True) if isinstance(meaning, AppliedUndef) else None
 
 
 def functions_in(laws: Sequence[Law]) -> dict[Any, sympy.Expr]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from corollary.formula.ast import Expr, Name, Number
+from corollary.formula.ast import ZERO, Expr, Name, Number
 from corollary.problem.problem import Problem
 
 if TYPE_CHECKING:  # a solution that is in the cache is used without it
@@ -15,7 +15,7 @@ ABOVE, BELOW = {1: "positive", 0: "nonnegative"}, {1: "negative", 0: "nonpositiv
 
 
 def symbol_of(problem: Problem, name: str) -> sympy.Symbol:
-    """A given as a symbol; it is positive (or not negative, …) when the `require:` of the problem say so, `0 < a < b` of both."""
+    """A given or a variable as a symbol; it is positive (or not negative, …) when the `require:` of the problem say so, `0 < a < b` of both."""
     import sympy  # only here: see above
 
     known: dict[str, bool] = {}
@@ -30,6 +30,11 @@ def symbol_of(problem: Problem, name: str) -> sympy.Symbol:
 
 def _in_order(problem: Problem) -> Iterator[tuple[Expr, Expr, int]]:
     """The smaller and the larger side of each condition that holds everywhere, and 1 where they are never equal."""
+    for each in problem.variables:
+        if each.first >= 0 and not each.unit.offset:
+            yield ZERO, Name(each.symbol), int(each.above or each.first > 0)
+        elif each.last <= 0 and not each.unit.offset:
+            yield Name(each.symbol), ZERO, int(each.last < 0)
     for condition in problem.conditions:
         left, right, sign = condition.relation.left, condition.relation.right, condition.relation.sign
         if condition.hard and sign in ("<", "<=", ">", ">="):

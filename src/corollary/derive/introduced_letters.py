@@ -24,6 +24,7 @@ def introduced(found: Collection[Unknown], problem: Problem) -> list[str]:
     used = frozenset[str]().union(*map(_letters_in_laws, found))
     used |= names(*(tree for each in found for tree in each.in_givens or ()))
     given = {each.symbol: each.meaning for each in problem.givens if each.symbol in used and not each.source}
+    given |= {each.symbol: each.meaning for each in problem.variables if each.symbol in used}
     return _line((name, meaning) for name, meaning in given.items() if meaning)
 
 
@@ -36,9 +37,10 @@ def constants_of_nature(problem: Problem) -> list[str]:
     ]
 
 
-def asked_for(find: Unknown) -> str:
-    """The letters of what a part asks for, as they stand behind its title."""
-    spoken = [f"${letter(name)}$" for name in find.names]
+def asked_for(find: Unknown, of: Collection[str] = ()) -> str:
+    """The letters of what a part asks for, as they stand behind its title; `of` are the variables that it is a formula of."""
+    variables = f"({', '.join(map(letter, of))})" if of else ""
+    spoken = [f"${letter(name)}{variables}$" for name in find.names]
     return ", ".join(spoken if len(spoken) <= FEW else [spoken[0], "…", spoken[-1]])
 
 
@@ -72,7 +74,7 @@ def unexplained(solution: Solution) -> Iterator[tuple[int, str]]:
     Introduced is what is given, what its author explains, what is asked for and found here or before, and what stands alone on
     the left of a law, for then the law's name says what it is.
     """
-    known = {given.symbol for given in solution.problem.givens} | solution.meanings.keys() | {"pi"}
+    known = {each.symbol for each in solution.problem.letters} | solution.meanings.keys() | {"pi"}
     for find in solution.unknowns:
         together = [each for each in solution.unknowns if each.statement.solved_with(find.statement)]
         for each in (find, *together):

@@ -133,10 +133,12 @@ def _read(problem: Problem, path: Path, bank: Bank) -> Loaded:
 
 @contextmanager
 def _letters(problem: Problem) -> Generator[tuple[dict[str, Any], dict[str, str]]]:
-    """While a derivation of the problem is stated: the symbols of its givens, and what letters stand for, filled as they are named."""
+    """While a derivation of the problem is stated: the symbols of its givens and variables, and what letters stand for, filled as they are named."""
     from corollary.laws.law import own_letters  # only here, as sympy above
 
-    symbols = {given.symbol: symbol_of(problem, given.symbol) for given in problem.givens if not given.words}
+    names = [given.symbol for given in problem.givens if not given.words]  # words are for the statement
+    names += [each.symbol for each in problem.variables]
+    symbols = {name: symbol_of(problem, name) for name in names}
     with own_letters(symbols, numbered=problem.path.is_relative_to(chapter_bank().problems)) as meanings:
         yield symbols, meanings
 
@@ -169,7 +171,7 @@ def _loaded(problem: Problem, path: Path, bank: Bank) -> Loaded:
         raise NotDerivable(path, 1, "defines no function derive(…) with the givens as arguments")
     line = derive.__code__.co_firstlineno
     wanted = list(inspect.signature(derive).parameters)
-    have = [given.symbol for given in problem.givens if not given.words]  # words are for the statement
+    have = [each.symbol for each in problem.letters if not getattr(each, "words", ())]
     if strange := [name for name in wanted if name not in have]:
         words = [given.symbol for given in problem.givens if given.symbol in strange]
         why = f"; {', '.join(words)} is a word, which stands in the text only" if words else ""

@@ -20,7 +20,7 @@ from corollary.derive.statements import (
     Simulated,
     Step,
 )
-from corollary.formula.ast import Expr
+from corollary.formula.ast import Expr, names
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.units.dimension import Dimension
@@ -71,7 +71,7 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int
 def _unfit(problem: Problem, entry: Entry, name: str) -> Iterator[str]:
     part = problem.part(name)
     wanted = _stated_by(part)
-    if isinstance(entry, Neglected) and (wanted != ["step"] or part.rows):
+    if isinstance(entry, Neglected) and (wanted != ["step"] or part.rows or part.of):
         yield f"part {name} is .{part.answer_type}; only of a number can be said what is neglected in it"
     elif not isinstance(entry, Printed | Neglected) and words_of_kind(entry) not in wanted:
         yield f"part {name} is .{' .'.join(part.answer_types)}; answer it with {' and '.join(f'{word}(…)' for word in wanted)}"
@@ -149,6 +149,11 @@ def dimensions_asked(
     if part is None:
         return known.dimensions_of(answer, None)
     units = part.units_for(len(answer))
+    known.refuse_variables(
+        names(*answer),
+        f'; say of="{{variable}}" in its heading, or find it at one {{variable}} that is given, as in {known.some_function}(t1)',
+        part.of,
+    )
     for formula, unit in zip(answer, units, strict=True):
         (dimension,) = known.dimensions_of((formula,), unit.dimension)
         if dimension != unit.dimension:

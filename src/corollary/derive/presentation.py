@@ -50,7 +50,7 @@ def with_presentation(solution: Solution) -> Solution:
         return listed(with_presentation(solution.template))
     problem = solution.problem
     draws = [chapter(problem), *sample(problem, TRIED - 1, salt="presentation")]
-    points = [dict(each.si) for each in draws]
+    points = [dict(each.letters_in_si) for each in draws]
     if not solution.regimes:
         return _presented(solution, points)
     regimes: list[Regime] = []

@@ -9,13 +9,13 @@ from typing import Any
 
 from corollary.derive import solution, statements
 from corollary.formula import ast
-from corollary.problem import given, part
+from corollary.problem import given, part, variable
 from corollary.units import dimension
 from corollary.units.unit import Unit, unit
 
 TYPES: dict[str, type] = {
     each.__name__: each
-    for room in (ast, dimension, given, part, solution, statements)
+    for room in (ast, dimension, given, part, solution, statements, variable)
     for each in vars(room).values()
     if isinstance(each, type) and is_dataclass(each) and each.__module__ == room.__name__
 }

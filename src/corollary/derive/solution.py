@@ -24,7 +24,7 @@ from corollary.derive.statements import (
     Statement,
     Supposed,
 )
-from corollary.formula.ast import Expr, Relation
+from corollary.formula.ast import Expr, Relation, names
 from corollary.formula.ball import RationalPi, Undefined, holds
 from corollary.problem.problem import Problem
 from corollary.units.dimensional_analysis import Dimension
@@ -258,6 +258,17 @@ class Solution:
     def answer(self, part: str) -> Unknown | None:
         """What answers a part."""
         return next((find for find in self.unknowns if find.part == part), None)
+
+
+def dependent(solution: Solution) -> set[str]:
+    """The unknowns that are numbered, or depend on a variable, and those made of them."""
+    variables = {each.symbol for each in solution.problem.variables}
+    found: set[str] = set()
+    for find in solution.unknowns:
+        local = names(*find.local.trees) if isinstance(find.local, ClosedForms) else set[str]()
+        if find.numbering or (local | names(*(find.in_givens or ()))) & (variables | found):
+            found |= {*find.names}
+    return found
 
 
 def once(work: Callable[Concatenate[Solution, P], R]) -> Callable[Concatenate[Solution, P], R]:

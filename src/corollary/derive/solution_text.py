@@ -24,6 +24,7 @@ from corollary.derive.derivation import (
     one_for_each_part,
 )
 from corollary.derive.formula_text import LetterTable, is_call, parted
+from corollary.derive.function_values import value_of
 from corollary.derive.item_clauses import (
     ALLOWED,
     BELOW,
@@ -202,10 +203,13 @@ class SolutionReader:
         with at_line(section.line):
             if given := [letter for letter in letters if letter in self.givens]:
                 raise ValueError(f"{given[0]} is a given; call the unknown by another letter")
+            for name, of in heading.functions:
+                if name not in self.table.meanings:
+                    self._know(name, function(name, self.table.symbol(of), meaning))
             new = [letter for letter in letters if letter not in self.table.meanings]
             if new:
                 self._vector(new, meaning)
-            elif meaning:
+            elif meaning and not heading.functions:
                 self._vector(letters, meaning)
         for item in section.items:
             with at_line(item.line):
@@ -226,7 +230,7 @@ class SolutionReader:
         part, letters = heading.part, heading.letters
         kind = _kind(section, part, letters)
         self._allowed(section, kind)
-        names = tuple(self.table.symbol(letter) for letter in letters)
+        names = tuple(map(self.table.found, letters))
         if heading.answers and kind != "step":
             raise MarkdownError(
                 section.line, f"only the laws of a step answer several parts at once; this is {kind}"
@@ -242,7 +246,7 @@ class SolutionReader:
             if isinstance(entry, Step):
                 found += one_for_each_part(
                     entry,
-                    {name: tuple(map(self.table.symbol, letters)) for name, letters in heading.answers},
+                    {name: tuple(map(self.table.found, letters)) for name, letters in heading.answers},
                 )
             else:
                 found.append(entry)
@@ -560,6 +564,7 @@ class SolutionReader:
         (of, equals), (letter, to) = pairs
         because = item.text.partition("`")[0].strip()
         of, equals, to = (self.table.expression(each) for each in (of, equals, to))
+        of = value_of(of) or of
         return Limit(Statement("", because, item.line), of, self.table.symbol(letter), to, equals)
 
     def _always(self, item: ListItem) -> Always:

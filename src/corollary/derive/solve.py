@@ -48,6 +48,7 @@ from corollary.derive.solution import (
     SolvedRoute,
     Unknown,
     Ways,
+    dependent,
 )
 from corollary.derive.statements import (
     Choice,
@@ -75,6 +76,8 @@ from corollary.problem.bank import Bank, bank_of
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 
+NO_REGIME = "; what holds for some of its values only cannot decide: state it in givens"
+
 
 def solved_choice(entry: Choice[Boolean | bool], part: Part, known: Known) -> SolvedChoice:
     """Raises ValueError where the options are not those of the part."""
@@ -87,6 +90,7 @@ def solved_choice(entry: Choice[Boolean | bool], part: Part, known: Known) -> So
     for letter, condition in entry.options.items():
         try:
             holds = known.in_givens_alone(condition)
+            known.refuse_variables({each.name for each in holds.free_symbols}, NO_REGIME)
             constant = holds in (sympy.true, sympy.false)
             options[letter] = (((),) if holds else ()) if constant else ways(holds)
         except ValueError as error:
@@ -108,12 +112,12 @@ def claims(
 
 
 def _claimed(condition: Boolean | bool | str, known: Known) -> tuple[tuple[Relation, ...], ...]:
-    """None of a condition that sympy takes for true of all numbers: which of its letters it has cancelled cannot be seen any more."""
+    """None of a condition that sympy takes for true as it is stated: which of its letters it has cancelled cannot be seen any more."""
     if isinstance(condition, str):
         return ((known.relation_in_givens(condition),),)
     holds = known.in_givens_alone(condition)
     if holds == sympy.true:
-        return ()
+        return () if condition in (True, sympy.true) else known.as_written(condition)
     if holds == sympy.false:
         one = ONE
         return ((Relation("!=", one, one),),)
@@ -235,11 +239,11 @@ def _of_all_cases(found: Sequence[Solver]) -> Solution:
 
 
 def _with_paths(solution: Solution) -> Solution:
-    """The ways to parts from others; to and from a list of numbered entries there are none."""
-    numbered = {find.part for find in solution.unknowns if find.numbering}
-    if not numbered:
+    """The ways to parts from others; to and from a list of numbered entries, and a formula of a variable, there are none."""
+    apart = dependent(solution)
+    if not apart:
         return with_paths(solution)
-    others = tuple(find for find in solution.unknowns if not find.numbering)
+    others = tuple(find for find in solution.unknowns if not apart & {*find.names})
     return replace(solution, paths=with_paths(replace(solution, unknowns=others)).paths)
 
 
@@ -283,7 +287,9 @@ class Solver:
                     raise self.at_fault(entry, unforeseen(error)) from error
         try:
             found.case, found.line = case.text, case.line
-            found.ways = ways(self.known.in_givens(sympy.sympify(case.condition)))
+            holds = self.known.in_givens(sympy.sympify(case.condition))
+            self.known.refuse_variables({each.name for each in holds.free_symbols}, NO_REGIME)
+            found.ways = ways(holds)
             found.known = Known(self.problem, found.ways)
             found.decided_by = _stated(case.condition)
         except ValueError as error:

@@ -10,6 +10,7 @@ from corollary.derive.markdown_items import MarkdownError, Section
 TITLE = re.compile(
     r"(?:\((?P<parts>\w+(?:\s*,\s*\w+)*)\)\s*)?(?P<letters>[^:;()]*?)(?::\s*(?P<meaning>.*))?$"
 )
+FUNCTION = re.compile(r"\b([A-Za-z]\w*)\(([A-Za-z]\w*)\)")
 LETTERS = re.compile(r"[A-Za-z]\w*(?:\s*,\s*[A-Za-z]\w*)*$")
 CASE = re.compile(r"[Cc]ase:?\s+(?P<text>.*?),?\s+(?:if|when)\s+`(?P<condition>[^`]+)`$")
 CHECKS = "Checks"
@@ -17,20 +18,23 @@ CHECKS = "Checks"
 
 @dataclass(frozen=True, slots=True)
 class StepHeading:
-    """`answers` are the letters that answer each part, where one step answers several; `part` is the only one otherwise."""
+    """`answers` are the letters that answer each part, where one step answers several; `part` is the only one otherwise. `functions`
+    are those of the letters that stand with what they depend on, U(t), each with that."""
 
     part: str = ""
     letters: tuple[str, ...] = ()
     meaning: str = ""
     answers: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    functions: tuple[tuple[str, str], ...] = ()
 
 
 def step_heading(section: Section) -> StepHeading:
-    """`(a) v`, `v: speed`, `(a, b) F_1, F_2`, `(a) v_x, v_y; (b) T; N`. Raises MarkdownError."""
+    """`(a) v`, `v: speed`, `(a, b) F_1, F_2`, `(a) v_x, v_y; (b) T; N`, `(a) U(t)`. Raises MarkdownError."""
     if CASE.match(section.title) or section.title == CHECKS:
         return StepHeading()
     before, colon, meaning = section.title.partition(":")
-    pieces = before.split(";")
+    functions = tuple(FUNCTION.findall(before))
+    pieces = FUNCTION.sub(r"\1", before).split(";")
     whole = TITLE.match(pieces[-1].strip() + colon + meaning)
     found = [*map(TITLE.match, map(str.strip, pieces[:-1])), whole]
     answers: list[tuple[str, tuple[str, ...]]] = []
@@ -58,5 +62,5 @@ def step_heading(section: Section) -> StepHeading:
     every = tuple(letter for _part, letters in answers for letter in letters)
     meaning = (whole["meaning"] if whole else "") or ""
     if len(answers) == 1:
-        return StepHeading(answers[0][0], every, meaning)
-    return StepHeading("", every, meaning, tuple(each for each in answers if each[0]))
+        return StepHeading(answers[0][0], every, meaning, functions=functions)
+    return StepHeading("", every, meaning, tuple(each for each in answers if each[0]), functions)

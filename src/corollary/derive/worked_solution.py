@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import replace
 
 from corollary.answers.option_names import option_named
 from corollary.answers.spellings import main_spelling
 from corollary.answers.ways import in_words
 from corollary.derive.comparisons import decided, way_that_holds
+from corollary.derive.formulas_of_variable import formulas_of_variable, printed_form
 from corollary.derive.intermediate_units import units_of
 from corollary.derive.introduced_letters import (
     asked_for,
@@ -39,12 +38,11 @@ from corollary.derive.solution import (
     SolvedNeglected,
     SolvedRoute,
     Unknown,
+    dependent,
 )
 from corollary.derive.statements import Code, CurveFormula, Explain, Plot
-from corollary.formula.arithmetics import DOUBLES, ready
 from corollary.formula.ast import Expr, Name, Number, Relation, names
 from corollary.formula.ball import certified
-from corollary.formula.errors import NotAvailable
 from corollary.formula.latex import latex, letter, letters_printed, vector
 from corollary.formula.layout import cost
 from corollary.formula.numerals import decimal_text
@@ -197,7 +195,8 @@ def _steps(
 ) -> Iterator[str]:
     problem, asked = in_language(solution.problem), {part.id for part in variant.problem.parts}
     steps = asked_steps(solution, asked)
-    known, si = given_numbers(variant), dict(variant.si)
+    known, si = given_numbers(variant), dict(variant.letters_in_si)
+    formulas = dependent(solution)
     lines = constants_of_nature(problem)
     lines = [*introduced(steps.values(), problem), *lines, *[""] * bool(lines)]
     if solution.case:
@@ -211,15 +210,25 @@ def _steps(
         numbers = values[place]
         part = problem.part(find.part) if find.part else None
         heading = (
-            f"{_heading(part)}: {asked_for(find)}"
+            f"{_heading(part)}: {asked_for(find, part.of)}"
             if part
             else _("**First find {names}.**", names=found_first(find, solution))
         )
         letters_here = explained(find, solution, met)
         met |= {*find.names} | names(*(relation for law in find.laws for relation in law.here))
         again = before is not None and find.statement.solved_with(before.statement)
+        if formulas.intersection(find.names) and not find.numbering:
+            values_here = zip(find.names, numbers, strict=True)
+            result = formulas_of_variable(find, problem, known, si | dict(values_here))
+            lines += [heading, "", *letters_here, *_unknown(find, result, again), ""]
+            before = find
+            si |= zip(find.names, numbers, strict=True)
+            yield formulas_in_convention("\n".join(lines))
+            lines = []
+            continue
         units = units_of(find, part, numbers, solution)
-        lines += [heading, "", *letters_here, *_unknown(find, numbers, units, part, known, si, again), ""]
+        result = _result(find, numbers, units, part, known, si)
+        lines += [heading, "", *letters_here, *_unknown(find, result, again), ""]
         before = find
         for name, value, unit in zip(find.names, numbers, units, strict=True):
             in_formula = si_unit(unit.dimension) if unit.offset else unit  # a temperature in kelvin
@@ -250,20 +259,12 @@ def _heading(part: Part) -> str:
     return f"### ({part.heading_letter}) {part.title}"
 
 
-def _unknown(
-    find: Unknown,
-    numbers: tuple[float, ...],
-    units: Sequence[Unit],
-    part: Part | None,
-    known: Mapping[str, str],
-    si: Mapping[str, float],
-    again: bool,
-) -> list[str]:
+def _unknown(find: Unknown, result: list[str], again: bool) -> list[str]:
     """`again`: its laws are a system that stands in the step before, which gives this, too."""
-    if again:
-        lines = [_("The same laws give this, too."), "", *_result(find, numbers, units, part, known, si)]
-    else:
-        lines = [*_reasons_for(find), *_result(find, numbers, units, part, known, si), *_routes(find)]
+    reasons = [_("The same laws give this, too."), ""] if again else _reasons_for(find)
+    lines = [*reasons, *result]
+    if not again:
+        lines += _routes(find)
     if find.statement.check:
         lines += ["", _("*Check:* {check}", check=find.statement.check)]
     return lines
@@ -387,7 +388,8 @@ def _result(
 ) -> list[str]:
     if part and is_matrix(part) and isinstance(find.local, ClosedForms):
         forms = [
-            _printed(find.printed, find.local.trees, place, value, si) for place, value in enumerate(numbers)
+            printed_form(find.printed, find.local.trees, place, value, si)
+            for place, value in enumerate(numbers)
         ]
         return [
             *(f"$${line}$$" for line in broken(matrix_steps(find.names, forms, numbers, part, units[0]))),
@@ -401,9 +403,9 @@ def _result(
         answer = whole_quantity(value, unit) if exact else quantity(value, unit)
         match find.local:
             case ClosedForms(trees):
-                local = _printed(find.printed, trees, place, value, si)
+                local = printed_form(find.printed, trees, place, value, si)
                 whole = (
-                    _printed(find.printed_in_givens, find.in_givens, place, value, si)
+                    printed_form(find.printed_in_givens, find.in_givens, place, value, si)
                     if find.in_givens
                     else None
                 )
@@ -424,19 +426,6 @@ def _result(
                     )
                     lines += [measured, ""]
     return lines
-
-
-def _printed(
-    forms: Sequence[Expr] | None, trees: Sequence[Expr], place: int, value: float, si: Mapping[str, float]
-) -> Expr:
-    """The form to print, where it has the value for these numbers; else the formula itself. A form may rest on a sign."""
-    if forms:
-        with suppress(NotAvailable, KeyError, ValueError, ArithmeticError, TypeError):
-            if math.isclose(
-                ready(forms[place], DOUBLES)(si), value, rel_tol=1e-6, abs_tol=1e-9 * abs(value) or 1e-12
-            ):
-                return forms[place]
-    return trees[place]
 
 
 def _algebra(tree: Expr, in_givens: Expr | None, known: Mapping[str, str]) -> list[str]:

@@ -86,6 +86,8 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
     for part, argument in near_steps(key):
         return None, f"part {part}: {argument} is too near a step: rounding would decide the whole number"
     for part, truth in key.truths.items():
+        if variant.problem.asks_of_variable(part):
+            continue  # a formula is compared as one; what it comes to at one place decides nothing
         most = max(MOST_TOLERANCE, variant.problem.part(part).tolerance)
         if truth.noise > most:
             return (
@@ -153,7 +155,7 @@ def collisions(key: Key) -> Iterable[tuple[str, str]]:
     solution = key.solution
     known = balls(key.variant.exact | named(solution, key.values))
     for each in visible_mistakes(solution):
-        if each.part not in key.truths:
+        if each.part not in key.truths or key.variant.problem.asks_of_variable(each.part):
             continue
         truth = key.truths[each.part]
         try:

@@ -150,7 +150,8 @@ def _off_the_grid(given: Given, value: RationalPi, place: int) -> RationalPi:
 
 
 def domain(problem: Problem) -> Mapping[str, tuple[float, float]]:
-    """Where the problem's letters live: the grid of each given, in SI; one that is fixed is widened by a tenth."""
+    """Where the problem's letters live: the grid of each given, in SI; one that is fixed is widened by a tenth; the domain of each
+    variable."""
     box: dict[str, tuple[float, float]] = {}
     for given in problem.givens:
         ends = (RationalPi(*given.unit.to_si(value)) for value in (given.grid.first, given.grid.last))
@@ -158,4 +159,4 @@ def domain(problem: Problem) -> Mapping[str, tuple[float, float]]:
         if low == high:
             low, high = sorted((0.9 * low, 1.1 * high))
         box[given.symbol] = low, high
-    return box
+    return box | {each.symbol: each.ends for each in problem.variables}

@@ -7,6 +7,7 @@ import re
 from corollary.answers.expected import Values
 from corollary.answers.option_names import option_named
 from corollary.formula.numerals import decimal_text
+from corollary.formula.plain_text import text
 from corollary.grading.forces_on_body import as_people_say, free_body
 from corollary.grading.key import Key
 from corollary.messages import catalogue, in_convention
@@ -29,6 +30,9 @@ def revealed(key: Key, part: Part, answered: str = "") -> str:
     truth = key.truths.get(part.id)
     if truth is None:
         return ""
+    if part.of:
+        formulas = ", ".join(map(text, key.find(truth).in_givens or ()))
+        return _("The answer is {answer}.", answer=formulas) if formulas else ""
     if part.rows:
         return _of_table(truth.values, part)
     asked = part.unit

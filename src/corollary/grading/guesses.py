@@ -91,7 +91,7 @@ def _asked_before(key: Key, part: Part) -> Iterator[Part]:
     for each in key.variant.problem.parts:
         if each.id == part.id:
             return
-        if each.id in key.truths:
+        if each.id in key.truths and not each.of:
             yield each
 
 

@@ -272,8 +272,8 @@ def _failed(name: str, error: Exception) -> Unmarked:
 
 def values_in(answer: Answer, expected: Expected) -> Values | None:
     """The numbers an answer comes to, in SI, for later parts to follow from; None where there are none."""
-    if expected.quantity is None:
-        return None
+    if expected.quantity is None or expected.question.variables:
+        return None  # a formula of a variable is no number, whatever it comes to at one place
     match answer:
         case Numbers(values):
             return values

@@ -66,6 +66,11 @@ def _quantity(find: Unknown, variant: Variant, stated: Answered) -> dict[str, An
     if stated.why:
         return {"why": stated.why}
     part, numbers = variant.problem.part(find.part), stated.values
+    if part.of and find.in_givens is not None:
+        domain = {
+            each.symbol: list(each.ends) for each in variant.problem.variables if each.symbol in part.of
+        }
+        return {"unit": si_name(part), "expression": _one(find.in_givens, text, part), "domain": domain}
     entry: dict[str, Any] = {"value": _one(numbers, finite, part), "unit": si_name(part)}
     if part.column_units:
         entry["units"] = [si_name(replace(part, unit=each)) for each in part.units]

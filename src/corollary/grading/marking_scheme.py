@@ -14,7 +14,7 @@ from corollary.derive.worked_solution import model_answer
 from corollary.formula.ast import Expr, names, substitute
 from corollary.grading.follow_through import same_as
 from corollary.grading.key import Key, Truth
-from corollary.grading.mistakes import overlooked, wrong_values
+from corollary.grading.mistakes import overlooked, wrong_formulas, wrong_values
 from corollary.grading.points import share
 from corollary.problem.part import Part
 from corollary.problem.problem_set import Scheme
@@ -33,12 +33,14 @@ class CarriedAnswer:
 
 @dataclass(frozen=True, slots=True)
 class KnownMistake:
-    """What a known misconception gives: values in SI, or the letter of an option; what is said of it, and the points it earns."""
+    """What a known misconception gives: values in SI, or the letter of an option, or formulas; what is said of it, and the points it
+    earns."""
 
     values: Values
     letter: str
     sentence: str
     points: float
+    formulas: tuple[Expr, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,6 +116,11 @@ def _part(key: Key, part: Part, scheme: Scheme, out_of: float) -> PartScheme:
 
 def _mistakes(key: Key, part: Part, truth: Truth, scheme: Scheme, out_of: float) -> Iterator[KnownMistake]:
     """Each value that a misconception gives, once, unless it cannot be told from the truth."""
+    if part.of:
+        for trees, sentence in wrong_formulas(key, truth.place):
+            points = out_of * share(Mistaken(sentence), scheme, part.answer_type)
+            yield KnownMistake((), "", sentence, points, trees)
+        return
     seen: list[Values] = []
     for values, sentence in wrong_values(key, truth):
         if any(replace(truth, values=other).is_met_by(values) for other in (truth.values, *seen)):

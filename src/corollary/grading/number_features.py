@@ -20,7 +20,9 @@ def number_features(key: Key) -> dict[str, dict[str, float]]:
     unit, left out of an answer that is zero; `negative`, 1 where a component is below zero, else 0."""
     parts = {part.id: part for part in key.variant.problem.parts}
     return {
-        name: dict(_features(key, parts[name], truth)) for name, truth in key.truths.items() if name in parts
+        name: dict(_features(key, parts[name], truth))
+        for name, truth in key.truths.items()
+        if name in parts and not parts[name].of
     }
 
 

@@ -73,8 +73,10 @@ def serialized(key: Key) -> dict[str, Any]:
     return {
         "code": problem.code,
         "givens": to_data(problem.givens),
+        "variables": to_data(problem.variables),
         "parts": to_data(problem.parts),
         "drawn": to_data(key.variant.values),
+        "index": key.variant.index,
         "values": to_data(key.values),
         "truths": {part: to_data(astuple(truth)) for part, truth in key.truths.items()},
         "choices": dict(key.choices),
@@ -88,11 +90,14 @@ def serialized(key: Key) -> dict[str, Any]:
 def key_of(data: Mapping[str, Any]) -> Key:
     """The key that `serialized` wrote, with every part."""
     givens, parts = from_data(data["givens"]), from_data(data["parts"])
-    problem = Problem(data["code"], "", "", "", "", "", givens, (), parts, "", "", Path(), 0)
+    problem = Problem(
+        data["code"], "", "", "", "", "", givens, (), parts, "", "", Path(), 0,
+        variables=tuple(from_data(data["variables"])),
+    )  # fmt: skip
     content = {name: from_data(each) for name, each in data["solution"].items()}
     solution = Solution(problem=problem, proofs={}, entries=(), **content)
     truths = {part: Truth(*from_data(each)) for part, each in data["truths"].items()}
-    variant = Variant(problem, from_data(data["drawn"]), None)
+    variant = Variant(problem, from_data(data["drawn"]), data["index"])
     return Key(solution, variant, from_data(data["values"]), truths, data["choices"])
 
 

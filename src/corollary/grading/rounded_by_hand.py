@@ -27,7 +27,7 @@ def explained_by_rounding(key: Key, truth: Truth, values: Values) -> bool:
 def _rounded(key: Key, truth: Truth) -> Iterator[Values]:
     """With each step rounded, with each operation rounded, and with either but for the last."""
     for arithmetic in (DOUBLES, replace(DOUBLES, rounded=_by_operation)):
-        at = dict(key.variant.si)
+        at = dict(key.variant.letters_in_si)
         for find, exact in zip(key.solution.unknowns[: truth.place + 1], key.values, strict=False):
             values = _evaluated(find.local, arithmetic, at) or exact
             if find is key.find(truth):

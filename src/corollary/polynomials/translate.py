@@ -265,8 +265,8 @@ class Translation:
         return RationalFunction(its_sign * top, bottom) if its_sign else None
 
     def _opaque(self, function: str, *arguments: RationalFunction) -> RationalFunction:
-        """Some number: nothing is known of it but that equal arguments give an equal one."""
-        return self.made((function, *map(str, arguments)))[0]
+        """Some number: nothing is known of it but that equal arguments give an equal one, and that powers of e are positive."""
+        return self.made((function, *map(str, arguments)), POSITIVE if function == "exp" else (None, None))[0]
 
 
 def makes_a_letter(node: Expr) -> bool:

@@ -29,7 +29,8 @@ class Part:
     `rows` and `columns` are the labels of a table, whose entries are the components, row by row, and `column_units` the units of
     its columns, where they are not all the same; `tolerance` is the share that answers may be off besides rounding (0: none of
     the author's own) and `because` why; `plausible` is from where to where answers may lie, in the unit of the part; `hint` is what
-    the author tells whoever practises and asks for one; `given` are equations that the question states, which a derivation may use.
+    the author tells whoever practises and asks for one; `given` are equations that the question states, which a derivation may use;
+    `of` are the variables that its formula is asked of.
 
     Whether there is such a type, and the rest fits it, is checked where answer types are known (`answers.questions`).
     """
@@ -56,6 +57,7 @@ class Part:
     plausible: tuple[float, ...] = ()
     hint: str = ""
     given: str = ""
+    of: tuple[str, ...] = ()
 
     @property
     def units(self) -> tuple[Unit, ...]:

@@ -20,7 +20,7 @@ ID = re.compile(r"[a-z][a-z0-9_]*$")
 Complain = Callable[[str], None]
 EXPECTED = "expected"  # of all attributes the one that no student may read
 KNOWN = {
-    "unit", "points", "components", "function", "letter", "slope", "rows", "columns", "tolerance", "because", "plausible", "hint", "given",
+    "unit", "points", "components", "function", "letter", "slope", "rows", "columns", "tolerance", "because", "plausible", "hint", "given", "of",
     EXPECTED,
 }  # fmt: skip
 SHARE = re.compile(r"\s*(\d+(?:\.\d+)?)\s*%\s*")
@@ -160,6 +160,7 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         plausible=_plausible(settings, ids[0], complain),
         hint=_hint(settings.get("hint", ""), ids[0], complain),
         given=settings.get("given", ""),
+        of=tuple(settings.get("of", "").replace(",", " ").split()),
     )
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from corollary.formula.ast import Relation
 from corollary.problem.given import Given
 from corollary.problem.part import Part
+from corollary.problem.variable import Variable
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +39,7 @@ class Problem:
     letters of givens that are called otherwise today: the one of today, and the one of the sheet. `expected` has the answers that
     the author expects, as typed, by part: beside the parts and not in them, for what is made of a part is handed out. `meant` are
     numbers in the words that are the same for everybody, though they look like those of a given. `printed_letters` has the TeX of letters, of
-    givens and unknowns, that are not printed by rule."""
+    givens and unknowns, that are not printed by rule. `variables` are the letters that its formulas are asked of."""
 
     code: str
     name: str
@@ -59,14 +60,24 @@ class Problem:
     expected: tuple[tuple[str, str], ...] = ()
     meant: tuple[str, ...] = ()
     printed_letters: tuple[tuple[str, str], ...] = ()
+    variables: tuple[Variable, ...] = ()
 
     @property
     def as_written(self) -> Problem:
         """The problem as its file has it: itself, but for one that is as it was once handed out."""
         return self.written or self
 
+    @property
+    def letters(self) -> tuple[Given | Variable, ...]:
+        """What stands for itself in formulas: the givens, and the variables."""
+        return (*self.givens, *self.variables)
+
     def given(self, symbol: str) -> Given:
         return next(given for given in self.givens if given.symbol == symbol)
+
+    def asks_of_variable(self, part_id: str) -> bool:
+        """True if a part asks for a formula of a variable, so that no number answers it."""
+        return any(part.of for part in self.parts if part.id == part_id)
 
     def part(self, part_id: str) -> Part:
         return next(part for part in self.parts if part.id == part_id)

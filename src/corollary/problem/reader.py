@@ -21,6 +21,8 @@ from corollary.problem.parts_markdown import read_parts
 from corollary.problem.problem import Condition, Description, Problem
 from corollary.problem.row_tables import columns_as_givens, letters_in, read_columns, without_values
 from corollary.problem.statement import HOLE, LETTER, holes, misfit
+from corollary.problem.variable import Variable
+from corollary.problem.variable_rows import misfits_of_variables, read_variables
 from corollary.units.constants import CONSTANTS
 from corollary.units.unit import Unit
 
@@ -77,6 +79,7 @@ def read_problem(path: Path) -> Problem:
         if (given := _constant(path, node, {*known}, complaints)) is not None
     ]
     givens, known = (*givens, *constants), known | {given.symbol for given in constants}
+    variables = read_variables(front, known, complaints)
     units = {given.symbol: given.unit for given in givens}
     nodes = [
         (node, hard) for name, hard in (("where", False), ("require", True)) for node in front.list_of(name)
@@ -86,7 +89,7 @@ def read_problem(path: Path) -> Problem:
         for node, hard in (
             nodes if len(givens) == len(rows) + len(constants) else ()
         )  # one fault is one complaint
-        for condition in _conditions(path, node, units, hard, complaints)
+        for condition in _conditions(path, node, units, hard, variables, complaints)
     ]
     conditions += [
         Condition(Relation(">", Name(given.symbol), ZERO), f"{given.symbol} > 0", True, given.line)
@@ -110,7 +113,9 @@ def read_problem(path: Path) -> Problem:
     body = packed(path, body, line, complaints)
     statement, parts, expected = read_parts(path, body, line, complaints)
     for text, first in ((body, line), (figure, first_line), (alt, alt_line)):
-        _check_holes(path, text, first, {given.symbol: given for given in givens}, known, complaints)
+        _check_holes(
+            path, text, first, {given.symbol: given for given in givens}, known, variables, complaints
+        )
     for text, at in ((title, title_line), *((part.title, part.line) for part in parts)):
         if holes(text):
             complaints.append(
@@ -131,6 +136,8 @@ def read_problem(path: Path) -> Problem:
             complaints.append(
                 Diagnostic(path, part.line, f"part {part.id} lists words, of which none can be a picture")
             )
+    if not any(each.path == path and each.line in range(2, line) for each in complaints):
+        complaints += misfits_of_variables(path, variables, parts)
     if not parts:
         complaints.append(
             Diagnostic(path, line, 'asks nothing; add a part: ## Title {#a .value unit="m/s" points=1}')
@@ -155,6 +162,7 @@ def read_problem(path: Path) -> Problem:
         expected=expected,
         meant=meant,
         printed_letters=printed,
+        variables=variables,
     )
 
 
@@ -220,6 +228,7 @@ def _conditions(
     node: TableNode | TextNode | ListNode,
     givens: Mapping[str, Unit],
     hard: bool,
+    variables: tuple[Variable, ...],
     complaints: list[Diagnostic],
 ) -> list[Condition]:
     if not isinstance(node, TextNode):
@@ -230,7 +239,15 @@ def _conditions(
     try:
         return [Condition(relation, text, hard, node.line) for relation, text in relations(node.text, givens)]
     except ValueError as error:
-        complaints.append(Diagnostic(path, node.line, f"condition {node.text!r}: {error}"))
+        domain = next(
+            (
+                f"; {each.symbol} is a variable, whose domain is its `from` and `to` below variables:"
+                for each in variables
+                if each.symbol in LETTER.findall(node.text)
+            ),
+            "",
+        )
+        complaints.append(Diagnostic(path, node.line, f"condition {node.text!r}: {error}{domain}"))
         return []
 
 
@@ -240,11 +257,18 @@ def _check_holes(
     line: int,
     givens: Mapping[str, Given],
     known: frozenset[str],
+    variables: tuple[Variable, ...],
     complaints: list[Diagnostic],
 ) -> None:
     """`known` are the givens with those that have a fault of their own: one fault is one complaint."""
+    symbols = {each.symbol for each in variables}
     for hole in holes(text):
-        if not set(LETTER.findall(hole.formula)) & (known - givens.keys()) and (why := misfit(hole, givens)):
+        if strange := sorted(set(LETTER.findall(hole.formula)) & symbols):
+            why = f"{{{{{hole.text}}}}}: {strange[0]} is a variable and has no number; write ${strange[0]}$"
+            complaints.append(Diagnostic(path, line + hole.line, why))
+        elif not set(LETTER.findall(hole.formula)) & (known - givens.keys()) and (
+            why := misfit(hole, givens)
+        ):
             complaints.append(Diagnostic(path, line + hole.line, why))
     for at, words in enumerate(HOLE.sub("", text).splitlines()):
         if "{{" in words and "}}" in words:

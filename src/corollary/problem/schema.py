@@ -16,6 +16,26 @@ NUMBER = {
 WORDS = {"type": ["string", "number"], "minLength": 1}
 
 
+def _variable() -> dict[str, Any]:
+    return {
+        "type": "object",
+        "properties": {
+            "is": {**WORDS, "description": "What the letter means."},
+            "from": {
+                **NUMBER,
+                "description": "Where its domain begins; left out: above 0, without 0 itself.",
+            },
+            "to": {**NUMBER, "description": "Where its domain ends."},
+            "unit": {
+                "type": ["string", "number"],
+                "description": "As s; a plain number when left out.",
+            },
+        },
+        "required": ["is", "to"],
+        "additionalProperties": False,
+    }
+
+
 def schema() -> dict[str, Any]:
     """The schema as a JSON document (draft 2020-12). What it takes, the reader may still refuse: units, conditions, holes."""
     relation = {"type": "string", "pattern": r"<|>|!=|\u2264|\u2265|\u2260"}
@@ -77,6 +97,12 @@ def schema() -> dict[str, Any]:
                 "propertyNames": {"pattern": f"^{SYMBOL.pattern}", "not": {"enum": sorted(RESERVED)}},
                 "additionalProperties": given,
                 "description": "The givens by their letter.",
+            },
+            "variables": {
+                "type": "object",
+                "propertyNames": {"pattern": f"^{SYMBOL.pattern}", "not": {"enum": sorted(RESERVED)}},
+                "additionalProperties": _variable(),
+                "description": "The letters that formulas are asked of, such as the time in U(t), each with its domain.",
             },
             "rows": {
                 "anyOf": [rows, {"type": "object", "additionalProperties": rows, "minProperties": 1}],

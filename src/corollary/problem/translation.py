@@ -16,6 +16,7 @@ from pathlib import Path
 from corollary.messages import spoken
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, split
+from corollary.problem.given import Given
 from corollary.problem.packed_pictures import count, packed
 from corollary.problem.part import Part
 from corollary.problem.parts_markdown import ATTRIBUTE, HEADING, entries, read_parts
@@ -111,6 +112,9 @@ def in_language(problem: Problem) -> Problem:
         )
         for given in problem.givens
     )
+    variables = tuple(
+        replace(each, meaning=found.texts.get(each.meaning, each.meaning)) for each in problem.variables
+    )
     figure = LABEL.sub(lambda label: f'"{chosen(found.texts.get(label[1], ""), label[1])}"', problem.figure)
     return replace(
         problem,
@@ -120,6 +124,7 @@ def in_language(problem: Problem) -> Problem:
         figure=problem.figure if problem.figure.lstrip().startswith("<") else figure,
         givens=givens,
         parts=parts,
+        variables=variables,
     )
 
 
@@ -147,7 +152,7 @@ def set_words(path: Path) -> tuple[str, str]:
 
 def to_translate(problem: Problem) -> list[str]:
     """The texts of a problem that stand below `# Texts`, once each."""
-    meanings = (given.meaning for given in problem.givens if not given.source)
+    meanings = (each.meaning for each in problem.letters if not (isinstance(each, Given) and each.source))
     words = (word for given in problem.givens for word in given.words)
     hinted = (part.hint for part in problem.parts if part.hint)
     return list(dict.fromkeys((*labels(problem), *sides(problem), *meanings, *words, *hinted)))

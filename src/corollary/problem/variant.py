@@ -38,11 +38,12 @@ class Variant:
 
     @cached_property
     def exact(self) -> dict[str, RationalPi]:
-        """The givens in SI, exactly; made once, so not to be changed."""
-        return {
+        """The givens in SI, exactly, and a value within its domain for each variable; made once, so not to be changed."""
+        numbers = {
             given.symbol: RationalPi(*given.unit.to_si(self.values[given.symbol]))
             for given in self.problem.givens
         }
+        return numbers | {each.symbol: each.value(self.index) for each in self.problem.variables}
 
     @property
     def si(self) -> dict[str, float]:
@@ -50,7 +51,12 @@ class Variant:
         from corollary.formula.ball import certified  # a page that names the numbers needs no such arithmetic
 
         exact = self.exact
-        return {symbol: certified(Name(symbol), exact).value for symbol in exact}
+        return {given.symbol: certified(Name(given.symbol), exact).value for given in self.problem.givens}
+
+    @property
+    def letters_in_si(self) -> dict[str, float]:
+        """The same with the variables."""
+        return self.si | {each.symbol: float(self.exact[each.symbol]) for each in self.problem.variables}
 
     @property
     def label(self) -> str:

@@ -112,11 +112,12 @@ def keyed_parts(key: Key) -> Iterator[KeyedPart]:
             yield KeyedPart(part, letter, letter, "", 0.0, 0.0, tuple(foreseen))
         elif (truth := key.truths.get(part.id)) is not None:
             trees = key.find(truth).in_givens or ()
+            formula = ", ".join(map(text, trees)) if answer_type(part.answer_type).in_symbols else ""
             yield KeyedPart(
                 part,
-                written_out(truth.values, part),
-                bare(truth.values, part),
-                ", ".join(map(text, trees)) if answer_type(part.answer_type).in_symbols else "",
+                formula if part.of else written_out(truth.values, part),
+                formula if part.of else bare(truth.values, part),
+                formula,
                 truth.tolerance,
                 truth.noise,
                 tuple(_foreseen(key, part)),
@@ -138,6 +139,9 @@ def _foreseen(key: Key, part: Part) -> Iterator[Foreseen]:
     solution = key.solution
     for each in visible_mistakes(solution):
         if each.part != part.id:
+            continue
+        if part.of:
+            yield Foreseen(each.mistake.text, ", ".join(map(text, each.formulas(solution) or ())))
             continue
         try:
             scale = key.truths[part.id].scale

@@ -55,8 +55,8 @@ def check_cases(bank: Bank, solution: Solution, tally: Tally) -> None:
 
 
 def dimensions_of(solution: Solution) -> dict[str, Dimension]:
-    """The dimension of every letter of a derivation: its givens, finds and functions."""
-    found = {given.symbol: given.unit.dimension for given in solution.problem.givens}
+    """The dimension of every letter of a derivation: its givens, variables, finds and functions."""
+    found = {each.symbol: each.unit.dimension for each in solution.problem.letters}
     for find in solution.unknowns:
         found |= dict(zip(find.names, find.dimensions, strict=True))
         for function in find.functions:

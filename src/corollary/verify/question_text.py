@@ -96,7 +96,7 @@ def leaks(every: Sequence[QuestionText]) -> Iterator[tuple[Part, str]]:
         if part.id not in first.truths:
             continue
         for name in every[0].texts:
-            if number := _number_leaked(every, part, name):
+            if not part.of and (number := _number_leaked(every, part, name)):
                 yield part, f"{name} tells the answer to part {part.id}: {number}"
         if answer_type(part.answer_type).in_symbols:
             yield from _formula_leaks_of(every[0], part)

@@ -127,7 +127,7 @@ def _outside(problem: Problem) -> Iterator[tuple[int, str]]:
 def _printed_unused(solution: Solution) -> Iterator[tuple[int, str]]:
     """Letters under `shown:` that stand nowhere."""
     problem, every = solution.problem, [each.solution for each in solution.regimes] or [solution]
-    known = {given.symbol for given in problem.givens} | solution.meanings.keys()
+    known = {each.symbol for each in problem.letters} | solution.meanings.keys()
     for find in (find for each in every for find in each.unknowns):
         known |= {*find.names} | {
             name for law in find.laws for one in (*law.here, law.textbook) for name in names(one)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from corollary.answers.answer import Answer, Formulas
 from corollary.answers.expected import Expected
+from corollary.answers.formula_in_numbers import has_own_numbers, judge_in_numbers
 from corollary.answers.judge_formulas import judge_formulas
 from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth
@@ -11,9 +12,11 @@ from corollary.answers.verdict import Verdict
 
 
 def judge(answer: Answer, expected: Expected) -> Verdict:
-    """In symbols: numbers put in for some of them are not enough."""
+    """In symbols: numbers put in for some of them are not enough. A formula of a variable may have numbers for all the givens."""
     assert isinstance(answer, Formulas)
     assert expected.quantity is not None
+    if has_own_numbers(answer, expected.question):
+        return judge_in_numbers(answer, expected.quantity, expected.question)
     return judge_formulas(answer, expected.quantity, expected.question, in_symbols=True)
 
 

@@ -22,10 +22,11 @@ from corollary.answers.formula import (
 from corollary.answers.numbers import PLACEHOLDERS, turned_away
 from corollary.answers.quantity import Reading, read_quantity
 from corollary.answers.question import Question
-from corollary.formula.ast import Expr
+from corollary.formula.ast import Expr, names
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.value import Exact, Items, Nothing, Real, Refused, Text, Value
 from corollary.messages import catalogue
+from corollary.units.unit import show
 
 _ = catalogue(__name__)
 
@@ -43,7 +44,11 @@ class ExpressionType(AnswerType):
         return _("A formula.")
 
     def instructions(self, question: Question) -> str:
-        return symbols_note(question)
+        return (
+            symbols_note(question)
+            if not question.variables
+            else f"{symbols_note(question)} {_in_numbers(question)}"
+        )
 
     def blank(self, question: Question) -> str:
         if question.components:
@@ -103,11 +108,26 @@ def _tree(text: str, question: Question) -> Expr | Unclear:
         )
         return Unclear(why, as_typed(text))
     dimension = dimension_in(tree, question)
+    if question.variables and names(tree) <= {"pi", *(name for name, _low, _high in question.variables)}:
+        return tree  # numbers of the sheet put in, in the units of the question
     if isinstance(dimension, ParseError):
         return Unclear(sentence(dimension), as_typed(text))
     if dimension != question.unit.dimension:
         return Unclear(other_dimension(tree, dimension, question.unit), as_typed(text))
     return tree
+
+
+def _in_numbers(question: Question) -> str:
+    """How a formula of a variable is written with numbers in place of the other letters."""
+    variables = {name for name, _low, _high in question.variables}
+    units = [
+        f"`{each.name}` [{show(each.unit) or '1'}]" for each in question.symbols if each.name in variables
+    ]
+    return _(
+        "Or put your numbers in for all letters but {variables}, without units; the result is then in {unit}.",
+        variables=", ".join(units),
+        unit=show(question.unit) or _("plain numbers"),
+    )
 
 
 def _wanted(question: Question) -> str:

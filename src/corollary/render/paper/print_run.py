@@ -139,7 +139,12 @@ def _items(each: PartScheme, key: Key, prompt: Prompt) -> Iterator[str]:
     elif each.letter:
         yield f"#strong[{_set(option_named(each.part, each.letter))}];"
     for mistake in each.mistakes:
-        found = option_named(each.part, mistake.letter) if mistake.letter else _values(mistake.values, each)
+        if mistake.formulas:
+            found = ", ".join(f"${latex(tree)}$" for tree in mistake.formulas)
+        else:
+            found = (
+                option_named(each.part, mistake.letter) if mistake.letter else _values(mistake.values, each)
+            )
         yield f"{_points(mistake.points)} {_set(found)}{words_of(': ')}{_set(mistake.sentence)}"
 
 

@@ -558,7 +558,7 @@ Attempts = list[tuple[dict[str, float], dict[str, Evaluation], float]]
 
 
 def _special(claim: Special, spot: MutationSpot, case: MutationCase) -> Attempts:
-    givens = {given.symbol for given in case.solution.problem.givens}
+    givens = {each.symbol for each in case.solution.problem.letters}
     own = {name: spot.letters[name] for name in givens}
     there = {
         name: ready(tree(value), DOUBLES)(spot.letters)
@@ -573,7 +573,7 @@ def _special(claim: Special, spot: MutationSpot, case: MutationCase) -> Attempts
 
 def _limit(claim: Limit, spot: MutationSpot, case: MutationCase) -> Attempts:
     letter, of = claim.letter.name, tree(claim.of)
-    own = {given.symbol: spot.letters[given.symbol] for given in case.solution.problem.givens}
+    own = {each.symbol: spot.letters[each.symbol] for each in case.solution.problem.letters}
     if letter not in own or not isinstance(of, Name):
         return []
     if claim.to.is_infinite:

@@ -197,7 +197,7 @@ def _candidates(checks: Checks, unnoticed: Sequence[Laws]) -> Iterator[Candidate
     spot = case.spots[0]
     if case.printed:
         for part_id in checks.parts:
-            if part_id not in checks.expected:
+            if part_id not in checks.expected and not problem.asks_of_variable(part_id):
                 line = f'expected="about …{_unit(problem.part(part_id))}" on part {part_id}'
                 yield Candidate(line, _with_estimate(checks, part_id, steps, spot))
     letters = sorted({name for found in checks.parts.values() for name in found.find.names})

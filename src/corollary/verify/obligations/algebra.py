@@ -13,7 +13,7 @@ from corollary.formula.errors import Undefined
 from corollary.formula.rational_pi import RationalPi
 from corollary.polynomials.polynomial import RationalFunction, TooLarge
 from corollary.polynomials.polynomial_signs import Bounds
-from corollary.polynomials.translate import Translation, sign_by_factors
+from corollary.polynomials.translate import POSITIVE, Translation, sign_by_factors
 from corollary.verify.obligations.box import PI, Box
 
 MOST_TERMS = 120  # of a product: factors of more take longer than all other provers together
@@ -25,6 +25,7 @@ class Algebra:
     def __init__(self, box: Box, relations: Iterable[Relation], free: Iterable[Expr] = ()) -> None:
         trees: list[Expr] = [*relations, *free]
         known: dict[str, Bounds] = {name: axis.bounds for name, axis in box.axes.items()}
+        known |= dict.fromkeys(box.above_zero, POSITIVE)
         self.translation = Translation(trees, known)
         self.translation.known["pi"] = self.translation.seen["pi"] = PI
         self.box = box

@@ -60,8 +60,8 @@ def not_zero(solution: Solution) -> Iterator[Obligation]:
     for find in solution.unknowns:
         if find.part and find.in_givens is not None:
             part = next(each for each in solution.problem.parts if each.id == find.part)
-            if part.answer_type == "integer":
-                continue  # a whole number is exact: 0 needs nothing to be compared with
+            if part.answer_type == "integer" or part.of:
+                continue  # a whole number, or a formula, is exact: 0 needs nothing to be compared with
             zero = Number(Fraction(part.unit.offset))
             sizes: list[Expr] = [
                 Sum((tree, Negative(zero))) if zero.value else tree for tree in find.in_givens
@@ -366,6 +366,11 @@ def apart(solution: Solution) -> Iterator[Obligation]:
         elif find.in_givens is None or wrong is None:
             why = "it rests on a simulation"
             yield Obligation("mistake apart", claim, line, redrawn=True, open=why)
+        elif solution.problem.asks_of_variable(each.part):
+            differ = tuple(
+                Relation("!=", mine, tree) for mine, tree in zip(wrong, find.in_givens, strict=True)
+            )
+            yield Obligation("mistake apart", claim, line, (differ,), somewhere=True)
         elif solution.problem.part(each.part).rows:
             pairs = zip(wrong, find.in_givens, strict=True)
             need = tuple(
@@ -386,7 +391,7 @@ def differing(solution: Solution) -> Iterator[Obligation]:
             if left is not None and right is not None and len(left) == len(right):
                 claim = f"{one.text!r} and {other.text!r} are two mistakes"
                 need: Clause = tuple(Relation("!=", a, b) for a, b in zip(left, right, strict=True))
-                yield Obligation("mistakes differ", claim, other.line, (need,))
+                yield Obligation("mistakes differ", claim, other.line, (need,), somewhere=True)
 
 
 def _far(wrong: tuple[Expr, ...], truth: tuple[Expr, ...], size: tuple[Expr, ...], share: Number) -> Clause:

@@ -38,7 +38,8 @@ class Obligation:
 
     `equations`: and these have no other root. `partial`: of each of their `others` what must hold wherever it has a value.
     `formulas`: what has no value where a need fails. `redrawn`:
-    numbers for which it does not hold are never dealt. `open` says why nothing can be proven, where no formula states the claim, and
+    numbers for which it does not hold are never dealt. `somewhere`: one point where it holds is enough, for formulas differ
+    if they do at one. `open` says why nothing can be proven, where no formula states the claim, and
     `tried` whether numbers were put in all the same. `line` is that of the solution.
     """
 
@@ -52,6 +53,7 @@ class Obligation:
     redrawn: bool = False
     open: str = ""
     tried: bool = True
+    somewhere: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -141,7 +141,7 @@ class Settling:
         """The first prover that decides."""
         if self.box.conditions and self.empty and not self.vacuous:
             return Settled(each.kind, each.claim, each.line, "undecided", "no numbers keep the conditions")
-        if each.kind == "mistakes differ":
+        if each.somewhere:
             return self._differ(each)
         if each.open and not each.needs and not each.partial:
             return self._open(each)
@@ -320,6 +320,9 @@ class Settling:
                     numbers = {
                         name: number(self.box.problem.given(name), value)
                         for name, value in variant.values.items()
+                    } | {
+                        each.symbol: f"{each.unit.from_si(float(variant.exact[each.symbol])):.6g}"
+                        for each in self.box.problem.variables
                     }
                     if not partial:
                         exclude = _excluding(needs[held.index(False)])
@@ -374,7 +377,7 @@ class RowByRow:
     def settle(self, each: Obligation, together: Settling) -> Settled:
         """Proven where it is for every row; `together` takes each column by itself, which leaves out no row but has others, too."""
         found = together.settle(each)
-        if found.outcome == "proven" or each.kind == "mistakes differ" or together.empty:
+        if found.outcome == "proven" or each.somewhere or together.empty:
             return found
         outcomes = list[Settled]()
         for row in self.rows:

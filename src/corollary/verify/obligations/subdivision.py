@@ -34,7 +34,7 @@ class Divided:
 
 
 def subdivide(box: Box, need: Clause, most: int = MOST_BOXES, partial: bool = False) -> Divided | None:
-    """Whether the clause holds for all of the grid that keeps the conditions (`partial`: wherever it has a value); None where that takes
+    """Whether the clause holds for all of the grid, and of the domains, that keeps the conditions (`partial`: wherever it has a value); None where that takes
     more than `most` boxes, or where a point cannot be decided."""
     letters, conditions = box.tied(need)
     if not letters:
@@ -63,6 +63,8 @@ def subdivide(box: Box, need: Clause, most: int = MOST_BOXES, partial: bool = Fa
                 found = verdict(need, box.exact(point), partial)
                 if not found:
                     return None if found is None else Divided(False, True, point)
+            if box.domains.intersection(letters):
+                return None  # its middle is a number for which it holds, and no proof for all the others
             low, high = ({name: each[name][~single] for name in letters} for each in (low, high))
         low, high = _halved(box, low, high, letters)
     return Divided(True, points)
