@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -59,11 +60,11 @@ def run(
         }
         answer(
             {"set": problem_set.name, "dry_run": dry_run, **outcomes, "nobodys": [to_builtins(each) for each in found.of(NOBODY)],
-             "conflicts": list(found.conflicts), "remarks": list(found.remarks), "missing": list(found.missing)}
+             "requests": [asdict(each) for each in found.requests], "conflicts": list(found.conflicts), "remarks": list(found.remarks), "missing": list(found.missing)}
         )  # fmt: skip
     else:
         show(found, problem_set.name, dry_run, {each.id: with_name(each) for each in students(opened)})
-    return HOLDS if found.of(ACCEPTED) or found.of(UNCHANGED) else FAILS
+    return HOLDS if found.of(ACCEPTED) or found.of(UNCHANGED) or found.requests else FAILS
 
 
 def handed_in(arrival: Arrival) -> str:
@@ -101,6 +102,9 @@ def show(found: Collected, name: str, dry_run: bool, names: Mapping[str, str]) -
         f"{name}: {accepted} {verb}, {same} already there, {older} older, {left} not usable",
         soft_wrap=True,
     )
+    if found.requests:
+        who = few([names.get(each.student, each.student) for each in found.requests], MOST_MISSING)
+        out.print(f"requests for regrading from {who}; corollary mark {name} shows them", soft_wrap=True)
     if found.missing:
         who = few([names.get(student, student) for student in found.missing], MOST_MISSING)
         out.print(f"not handed in by {counted(len(found.missing), 'student')}: {who}", soft_wrap=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
+from threading import Thread
 from typing import Any
 
 import msgspec
@@ -13,9 +14,11 @@ from corollary.cli.local_page import OnePageServer, serve
 from corollary.course.up_to_date import up_to_date
 from corollary.grading.near_misses import accepted_text
 from corollary.messages import few, visible
+from corollary.nbgrader.gradebook import has_gradebook, need_nbgrader
 from corollary.nbgrader.hand_marking import (
     ChangedMeanwhile,
     NotMarkable,
+    as_it_stands,
     give_marks,
     marks_of,
     part_named,
@@ -136,6 +139,7 @@ def run(
     anonymous: bool,
     terminal: bool,
     given: list[str],
+    stands: list[str],
     file: Path | None,
     accepted: list[str],
     no_browser: bool,
@@ -150,6 +154,7 @@ def run(
         (_accepted(opened, problem_set, accepted) if accepted else {})
         | (_from_file(opened, problem_set, file) if file else {})
         | _from_words(opened, problem_set, given)
+        | _standing(opened, problem_set, stands)
     )
     marks = {key: mark for key, (mark, _) in written.items()}
     if marks:
@@ -191,6 +196,8 @@ def _serve(
 
     pages = MarkPage(course, problem_set, bank, everything, anonymous, only)
     pages.page()  # what is wrong with the course is said before anything is opened
+    if has_gradebook(course):  # nbgrader takes seconds to load, and the first mark is not to wait for it
+        Thread(target=need_nbgrader, daemon=True).start()
     serve(
         OnePageServer(pages.page, pages.receive, port),
         "ctrl-C ends it, and what you gave is saved",
@@ -234,6 +241,24 @@ def _from_words(course: Course, problem_set: ProblemSet, given: list[str]) -> Ma
         where = f"--set {words}"
         key = _place(course, problem_set, ids.get(student, student), part, where)
         found[key] = ManualMark(_points(number, where), by=login_name(), source=COMMAND), where
+    return found
+
+
+def _standing(course: Course, problem_set: ProblemSet, given: list[str]) -> Marks:
+    """`ada/X12.5a=why`: a request for regrading is answered, and the mark is as it was."""
+    found: Marks = {}
+    ids = _ids(course)
+    for words in given:
+        place, equals, reason = words.partition("=")
+        student, slash, part = place.rpartition("/")
+        where = f"--stands {words}"
+        if not equals or not slash:
+            refuse(
+                f"{where}: write it as STUDENT/PART=REASON, for instance ada/X12.5a='the floor takes momentum, too'"
+            )
+        key = _place(course, problem_set, ids.get(student, student), part, where)
+        mark = ManualMark(None, None, reason.strip() or None, by=login_name(), source=COMMAND)
+        found[key] = as_it_stands(course, problem_set, *key, mark), where
     return found
 
 

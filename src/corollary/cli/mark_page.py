@@ -18,6 +18,7 @@ from corollary.nbgrader.hand_marking import (
     ChangedMeanwhile,
     NotMarkable,
     StandingMark,
+    as_it_stands,
     change_rubric,
     give_marks,
     marking_state,
@@ -141,10 +142,8 @@ class MarkPage:
             card.seen |= card.standing
         mark = ManualMark(score, None, comment or None, by=login_name(), rubric=items, source=PAGE)
         if posted.get("stands"):
-            given = card.group.given
-            mark = ManualMark(
-                None if given is None else given.score, None, comment, by=login_name(), source=PAGE
-            )
+            student = card.group.students[0]
+            mark = as_it_stands(self.course, self.problem_set, student, card.part.key, mark)
         marks = {(each, card.part.key): one for each, one in marks_of(card.group, mark)}
         seen = {(student, card.part.key): token for student, token in card.seen.items()}
         if posted.get("others") and card.group.request is not None:

@@ -141,6 +141,7 @@ MARKING = (
     flag("--anonymous", "Show no names and no ids."),
     flag("--terminal", "Mark in the terminal instead."),
     several("--set", "given", "Give a mark: ada/X12.11c=1.5"),
+    several("--stands", "stands", "Answer a request for regrading, the mark stands: ada/X12.5a=REASON"),
     several("--accept", "accepted", "Give all points to a group of near misses, by its id in the report"),
     click.Option(
         ["--from", "file"], type=PATH, help="Give marks: a CSV file with student, part, points, comment."

@@ -24,6 +24,14 @@ from corollary.records.assignments import read_assigned
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.lms_names import Directory, lms_name
+from corollary.records.regrade_requests import (
+    MOST_BYTES,
+    add_requests,
+    file_name,
+    is_request,
+    part_places,
+    requests_in,
+)
 from corollary.records.settings import read_settings
 from corollary.records.submissions import (
     ACCEPTED,
@@ -133,6 +141,16 @@ LONGEST = 30.0  # seconds of the processor for one file; the slowest that was me
 
 
 @dataclass(frozen=True, slots=True)
+class CollectedRequest:
+    """A form for regrading of one student: the parts that it asks about, and how many of these requests are new."""
+
+    student: str
+    file: str
+    parts: tuple[str, ...]
+    new: int
+
+
+@dataclass(frozen=True, slots=True)
 class Collected:
     """Every file with what became of it; sentences on what was in conflict and on the whole; who has handed in nothing yet and is
     not excused; the file with the tracebacks where this program failed over something."""
@@ -142,6 +160,7 @@ class Collected:
     remarks: tuple[str, ...]
     missing: tuple[str, ...]
     log: Path | None = None
+    requests: tuple[CollectedRequest, ...] = ()
 
     def of(self, outcome: str) -> tuple[Arrival, ...]:
         return tuple(each for each in self.arrivals if each.outcome == outcome)
@@ -173,8 +192,16 @@ def collect(
     failures = FailureLog(course, name)
     directory = directory_of(roster, before, numbers)
     known = {each.id: each for each in roster}
+    requests: list[CollectedRequest] = []
     for member in _members(sources, directory, name):
         progress(writable(member.name))
+        if is_request(member.parts[-1], name):
+            asked = guarded(partial(_request, course, problem_set, member, directory, dry_run), LONGEST)
+            if isinstance(asked, CollectedRequest):
+                requests.append(asked)
+            elif isinstance(asked, Arrival):
+                arrivals.append(asked)
+            continue
         found = guarded(
             partial(identified, member, problem_set, directory, known, assigned, conflicts), LONGEST
         )
@@ -219,7 +246,12 @@ def collect(
     expected = [each.id for each in roster if each.id in assigned and not deadlines.excused(each.id)]
     missing = tuple(each for each in expected if each not in came)
     return Collected(
-        tuple(arrivals), tuple(conflicts), tuple(remarks), missing, failures.place if failures.found else None
+        tuple(arrivals),
+        tuple(conflicts),
+        tuple(remarks),
+        missing,
+        failures.place if failures.found else None,
+        tuple(requests),
     )
 
 
@@ -285,6 +317,28 @@ def _members(sources: Sequence[Path], directory: Directory, set_name: str) -> It
     for source in sources:
         if source.suffix.lower() != ".csv":
             yield from members(source, whose)
+
+
+def _request(
+    course: Course, problem_set: ProblemSet, member: Member, directory: Directory, dry_run: bool
+) -> CollectedRequest | Arrival:
+    """A form for regrading: whose it is only its place says, never the form."""
+    name = problem_set.name
+    lms = lms_name(member.parts)
+    student = directory.of_lms(lms) if lms else directory.of_parts(member.parts, name)
+    if student is None:
+        why = f"is a request for regrading, and its name tells no student; rename it to STUDENT_{file_name(name)}"
+        return Arrival("", member.name, "", NOBODY, why)
+    if not isinstance(member.content, bytes) or len(member.content) > MOST_BYTES:
+        why = f"is a request for regrading larger than {MOST_BYTES // 1000} kB; ask for a shorter one"
+        return Arrival(student, member.name, "", UNUSABLE, why)
+    at = "" if member.modified is None else member.modified.isoformat(timespec="seconds")
+    found = requests_in(member.content, part_places(problem_set), at)
+    if not found:
+        why = f"is a request for regrading with nothing below the heading of a part, as in {file_name(name)}; read it yourself"
+        return Arrival(student, member.name, "", UNUSABLE, why)
+    new = 0 if dry_run else add_requests(course, name, student, found)
+    return CollectedRequest(student, writable(member.name), tuple(each.part for each in found), new)
 
 
 def _stumbled(member: Member, directory: Directory, set_name: str, failure: Failure) -> Arrival:

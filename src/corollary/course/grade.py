@@ -45,6 +45,7 @@ from corollary.records.marks import (
     write_page,
 )
 from corollary.records.outside_changes import OutsideChange, read_outside
+from corollary.records.regrade_requests import gather_requests
 from corollary.records.regrading import (
     Change,
     change,
@@ -258,6 +259,8 @@ def grade_set(
     name, failures = problem_set.name, FailureLog(course, problem_set.name)
     handed_in = _handed_in(course, problem_set, solutions, now or datetime.now(UTC), dry_run, failures)
     digests = handed_in.digests
+    if not dry_run:
+        gather_requests(course, problem_set)
     manual = current_manual(course) if dry_run else synchronized(course)
     outside = tuple(read_outside(course, name).values())
     if outside and not dry_run and ask_outside(outside):

@@ -23,7 +23,7 @@ MOST = 10
 
 @dataclass(frozen=True, slots=True)
 class SameChange:
-    """Another student whose wrong answer follows from the same change; points before lateness."""
+    """Another student whose answer follows from the same change; points before lateness."""
 
     student: str
     answer: str
@@ -65,9 +65,7 @@ def explained(
         for (name, code), key in keys.items()
         if code == row.problem and key.solution is own.solution
         for letters in (
-            letters_of(
-                name, key, parts_of(records[name], code), problem_set, row.part if name == student else ""
-            ).get(row.part),
+            letters_of(name, key, parts_of(records[name], code), problem_set, row.part).get(row.part),
         )
         if letters is not None
     ]

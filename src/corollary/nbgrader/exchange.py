@@ -35,7 +35,7 @@ from corollary.nbgrader.gradebook import directory, need_nbgrader, programs_on_p
 from corollary.records.assignments import is_assigned
 from corollary.records.files import BESIDE, Course, open_course, students
 from corollary.records.marks import feedback_place
-from corollary.records.submissions import beside, writable
+from corollary.records.submissions import STAMP, beside, writable
 from corollary.sandbox.file import bytes_of
 
 ACCESS_LIST, FOR_NEW, READ, SEARCH = "system.posix_acl_access", "system.posix_acl_default", 4, 5
@@ -193,10 +193,31 @@ class CollectFromEach(ExchangeCollect):
                 to_collect.append(each)
         for each in to_collect:
             self.src_records = [each]
+            before = self._notebooks(each["username"])
             done = guarded(super().copy_files)
+            self._same_time(each["username"], before)
             if isinstance(done, Failure):  # such as a timestamp.txt that holds no time, with --update
                 self._leave_out(each["username"], each["filename"], done.what)
         self.src_records = to_collect
+
+    def _notebooks(self, student: str) -> tuple[dict[str, bytes], bytes]:
+        """What lies in the course of this student: the notebooks, and when they were handed in."""
+        coursedir = cast(CourseDirectory, self.coursedir)
+        place = Path(coursedir.format_path(coursedir.submitted_directory, student, coursedir.assignment_id))
+        contents = {each.name: bytes_of(each) for each in place.glob("*.ipynb")}
+        stamped = bytes_of(place / STAMP, 1 << 10)
+        whole = {name: content for name, content in contents.items() if isinstance(content, bytes)}
+        return whole, stamped if isinstance(stamped, bytes) else b""
+
+    def _same_time(self, student: str, before: tuple[dict[str, bytes], bytes]) -> None:
+        """Who hands in the same notebooks again, with a request for regrading, handed them in when they came first."""
+        notebooks, stamped = before
+        if notebooks and stamped and self._notebooks(student)[0] == notebooks:
+            coursedir = cast(CourseDirectory, self.coursedir)
+            place = Path(
+                coursedir.format_path(coursedir.submitted_directory, student, coursedir.assignment_id)
+            )
+            write_whole(place / STAMP, stamped)
 
     def do_copy(self, src: str, dest: str, log: Any = None) -> None:
         try:

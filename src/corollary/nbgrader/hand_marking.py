@@ -43,7 +43,7 @@ from corollary.records.near_miss_groups import (
     near_misses,
 )
 from corollary.records.outside_changes import OutsideChange, read_outside, settle_outside
-from corollary.records.regrade_requests import RegradeRequest, decide, open_requests
+from corollary.records.regrade_requests import RegradeRequest, decide, gather_requests, open_requests
 from corollary.records.rubrics import (
     RubricMove,
     checked_rubric,
@@ -141,6 +141,7 @@ def marking_state(
     check_graded(course, problem_set.name)
     with one_writer(course):
         manual = synchronized(course)
+        gather_requests(course, problem_set)
     roster = [student.id for student in students(course) if only is None or student.id in only]
     records = read_marks(course, problem_set, roster, manual)
     outside = {
@@ -221,6 +222,23 @@ def give_marks(
             write_page(course, name, student, page)
         after = read_marks(course, problem_set, whose, now)
         return {(student, part): seen_now(after[student], part, None) for student, part in marks}
+
+
+def as_it_stands(
+    course: Course, problem_set: ProblemSet, student: str, part: str, mark: ManualMark
+) -> ManualMark:
+    """The mark with the score that a person gave before: the answer to a request that changes nothing. Raises NotMarkable."""
+    request = open_requests(course, problem_set.name).get((student, part))
+    if request is None:
+        raise NotMarkable(f"{student} has no open request for regrading of {part}")
+    if not mark.comment:
+        raise NotMarkable(f"say why the mark of {student} in {part} stands")
+    with one_writer(course):
+        manual = synchronized(course)
+    record = read_marks(course, problem_set, [student], manual).get(student)
+    entry = None if record is None else record.parts.get(part)
+    before = NOTHING if entry is None or entry.manual is UNSET else entry.manual
+    return replace(mark, score=before.score, rubric=before.rubric)
 
 
 def seen_in(course: Course, problem_set: ProblemSet, part: str, whose: Sequence[str]) -> dict[str, str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from datetime import UTC, datetime
 from hashlib import sha256
 from pathlib import Path
 from typing import Final
@@ -11,7 +12,9 @@ from typing import Final
 import msgspec
 
 from corollary.atomic import write_whole
+from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
+from corollary.sandbox.file import bytes_of
 
 MOST_BYTES: Final = 20_000
 LONGEST: Final = 2_000  # characters for one part
@@ -61,6 +64,29 @@ def requests_in(content: bytes, parts: Mapping[tuple[str, str], str], at: str) -
         for part, lines in found.items()
         if (words := "\n".join(lines).strip())
     ]
+
+
+def part_places(problem_set: ProblemSet) -> dict[tuple[str, str], str]:
+    """The parts' names in the notebook by code and letter, in small letters, as they head the parts of a form."""
+    return {
+        (problem.code.casefold(), letter.casefold()): problem.answer_name(part)
+        for problem in problem_set.problems
+        for part in problem.parts
+        for letter in (part.heading_letter, part.id)
+    }
+
+
+def gather_requests(course: Course, problem_set: ProblemSet) -> None:
+    """Records the forms that lie beside notebooks in `submitted/`, where nbgrader's exchange puts them. Whoever calls it is the only
+    writer."""
+    name, places = problem_set.name, part_places(problem_set)
+    inside = course.folder / "submitted"
+    for path in inside.glob(f"*/{name}/request_*"):
+        if is_request(path.name, name):
+            content = bytes_of(path, MOST_BYTES, inside)
+            if isinstance(content, bytes):
+                at = datetime.fromtimestamp(path.lstat().st_mtime, UTC).isoformat(timespec="seconds")
+                add_requests(course, name, path.parts[-3], requests_in(content, places, at))
 
 
 def read_requests(course: Course, set_name: str) -> dict[str, tuple[RegradeRequest, ...]]:

@@ -25,8 +25,10 @@ from corollary.problem.dates import in_words
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.manual_marks import RequestDecision
 from corollary.records.marks import PartRecord, Record
+from corollary.records.regrade_requests import file_name
 from corollary.render.markdown import html, inline
 from corollary.render.page import drawing, page
+from corollary.render.request_form import form_address, request_form
 from corollary.render.wording import BLANK, BY_HAND, LOOKS, Look, earned, item_points, spell
 from corollary.sandbox.job import CellRun, Figure
 
@@ -86,6 +88,22 @@ class PageFacts(msgspec.Struct, frozen=True):
     not_run: int = 0
     due: str = ""
     late: str = ""
+    set_name: str = ""
+
+    @property
+    def request_file(self) -> str:
+        """What the form for regrading is called; empty where the set's name is not known."""
+        return file_name(self.set_name) if self.set_name else ""
+
+    @property
+    def request_form(self) -> str:
+        """The address of that form."""
+        parts = (
+            (exercise.code, part.id, unescape(TAG.sub("", part.title)))
+            for exercise in self.exercises
+            for part in exercise.parts
+        )
+        return form_address(request_form(self.set_name, self.set_title, parts))
 
 
 def page_facts(
@@ -116,6 +134,7 @@ def page_facts(
         sum(run.status == "not run" for run in marked.runs),
         "" if due is None else in_words(due),
         late,
+        problem_set.name,
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import os
+import re
 import stat
 import struct
 import unicodedata
@@ -21,6 +22,8 @@ FIRST_YEAR = 1981  # 1980 is what an archive says that has no time
 SKIPPED = {"__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini", ".ipynb_checkpoints"}
 # Nothing else can be of use; some browsers save a notebook as text.
 READ = (".ipynb", ".ipynb.txt", ".ipynb.json")
+# A form that a student filled in, whatever an LMS put before its name.
+REQUEST = re.compile(r"request_.*\.(?:md|txt|markdown)$", re.IGNORECASE)
 # The rest (bzip2, LZMA, Deflate64, PPMd) is unpacked in pieces of no bounded size, and no LMS writes it.
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
 OTHER_METHODS = {9: "Deflate64", 12: "bzip2", 14: "LZMA", 93: "Zstandard", 95: "xz", 98: "PPMd"}
@@ -42,7 +45,7 @@ Whose = Callable[[Sequence[str]], str]
 @dataclass(frozen=True, slots=True)
 class Member:
     """One file. `parts` are the names that lead to it, its own last; `modified` its time, where it has one, and whether
-    that has a zone depends on the archive; `content` is None for what is no notebook."""
+    that has a zone depends on the archive; `content` is None for what is neither a notebook nor a request for regrading."""
 
     parts: tuple[str, ...]
     content: bytes | Unreadable | None
@@ -161,13 +164,18 @@ def _of_folder(folder: Path, bounds: _Bounds) -> Iterator[Member]:
         yield Member(parts, _unopened(error), None)
 
 
+def _is_read(name: str) -> bool:
+    """Whether a file of this name, in small letters, is opened: a notebook, an archive, a request for regrading."""
+    return name.endswith((*READ, ".zip")) or REQUEST.search(name) is not None
+
+
 def _of_file(parts: tuple[str, ...], path: Path, within: Path | None, bounds: _Bounds) -> Iterator[Member]:
     try:
         modified = datetime.fromtimestamp(path.lstat().st_mtime, UTC)
     except (OSError, OverflowError, ValueError):
         modified = None
     name = path.name.lower()
-    if not name.endswith((*READ, ".zip")):
+    if not _is_read(name):
         if bounds.of(parts).is_named():
             yield Member(parts, None, modified)
         return
@@ -234,7 +242,7 @@ def _member(
             tuple(part[:40] for part in parts[:3]),
             Unreadable("has a name longer than a file's can be"),
         )
-    wanted = parts[-1].lower().endswith((*READ, ".zip"))
+    wanted = _is_read(parts[-1].lower())
     if content is None and wanted and info.file_size > MOST_BYTES:
         content = too_large(MOST_BYTES)
     elif content is None and wanted:
