@@ -46,6 +46,20 @@ def test_collected_and_said(run) -> None:
     assert (open_course(Path("course")).record("collected", "one.json").stat().st_mode & 0o077) == 0
 
 
+def test_a_text_beside_a_notebook_is_counted_and_not_listed(run) -> None:
+    """Moodle's archive has an online text of everybody; only one of somebody without a notebook is to be looked at."""
+    with zipfile.ZipFile("all.zip", "a") as made:
+        for name, number in (("Ada Lovelace", 17), ("Ben Bool", 18)):
+            made.writestr(f"{name}_{number}_assignsubmission_onlinetext_/onlinetext.html", b"<p>Hi</p>")
+    _, out, _ = run("collect", "one", "all.zip", "--course", "course")
+    assert (
+        "one: 1 taken, 0 already there, 0 older, 2 not usable, 1 texts or other files beside a notebook"
+        in out
+    )
+    assert "Ada Lovelace_17_assignsubmission_onlinetext_" not in out
+    assert "Ben Bool_18_assignsubmission_onlinetext_" in out
+
+
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import runpy
 from dataclasses import replace
@@ -130,3 +131,25 @@ def test_counts_add_up_and_shares_are_shares(drawn):
     assert sum(sum(part.counts.values()) for part in found.parts) == len(drawn)
     assert all(part.share is None or 0 <= part.share <= 1 for part in found.parts)
     assert len(found.waiting) == sum(row.verdict == "unmarked" for row in some)
+
+
+def test_people_have_names_and_lists_end_at_ten():
+    names = {f"s{number}": f"Person {number}" for number in range(65)}
+    handed = [HandedIn(student, name, 0, 1, trouble="It is empty.") for student, name in names.items()]
+    told = report(handed, [], names=names)
+    out = Console(file=io.StringIO(), width=200)
+    out.print(terminal(told))
+    text = out.file.getvalue()
+    assert "Person 9 (s9)" in text
+    assert "Person 10 (s10)" not in text
+    assert "and 55 more, in the report's page and with --json" in text
+
+
+def test_a_part_of_which_every_answer_waits_has_no_share():
+    """Blank answers are marked by themselves: the part is unfinished all the same, and its mean not 0 %."""
+    blank, waits = (
+        Row(student, "X1", "a", verdict, 0, 1) for student, verdict in (("ada", "unread"), ("bo", "unmarked"))
+    )
+    assert report([], [blank, waits]).parts[0].share is None
+    assert report([], [blank]).parts[0].share == 0
+    assert report([], [blank, waits, Row("cy", "X1", "a", "right", 1, 1)]).parts[0].share == 0.5

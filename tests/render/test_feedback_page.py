@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import base64
+import re
 import runpy
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from corollary.answers.verdict import Right
 from corollary.records.manual_marks import ManualMark
 from corollary.records.marks import record_of, with_manual
 from corollary.render import feedback_page as page_of
@@ -161,3 +163,24 @@ def test_a_comment_is_read_as_markdown_with_formulas_and_its_lines_stay(of, work
     assert 'alttext="p = m v"' in said
     assert "\nThen &lt;b&gt;add&lt;/b&gt; <code" in said
     assert "white-space: pre-line" in page.partition(".said .comment")[2][:40]
+
+
+def test_what_is_right_is_folded_and_nothing_else(of, work):
+    """A remark, or a part that is not wholly right, stands open."""
+    whole = f"{LOOKS['right'].phrase}."
+
+    def bare(part):
+        return replace(part, feedback=whole) if isinstance(part.verdict, Right) else part
+
+    grades = tuple(replace(grade, parts=tuple(map(bare, grade.parts))) for grade in work.grades)
+    for marked, count in ((work, 0), (replace(work, grades=grades), 1)):
+        text = feedback_page(marked, of)
+        folded = re.findall(r'<article class="part (\w+)" id="\w+">\s*<details><summary>', text)
+        assert folded == ["right"] * count
+        assert text.count("<details>") == text.count("</details>") == count
+
+
+def test_a_student_reads_nothing_of_isolation(of, work):
+    page = feedback_page(replace(work, isolation="namespaces + Landlock"), of)
+    assert "Landlock" not in page
+    assert "solation" not in Page(page).words

@@ -9,10 +9,10 @@ from pathlib import Path
 
 from msgspec import to_builtins
 
-from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse, say
+from corollary.cli.ending import FAILS, HOLDS, MOST_LISTED, answer, counted, refuse, say
 from corollary.cli.terminal import bar, console
 from corollary.cli.told_dates import with_name
-from corollary.course.collect import Collected, collect
+from corollary.course.collect import Collected, collect, nothing_to_do
 from corollary.records.assignments import is_assigned
 from corollary.records.files import one_writer, open_course, students
 from corollary.records.origin import set_of
@@ -24,7 +24,6 @@ HEADINGS = {
     UNUSABLE: "Cannot be marked",
     NOBODY: "Owner unknown",
 }
-MOST_MISSING = 12
 
 
 def run(
@@ -83,7 +82,11 @@ def show(found: Collected, name: str, dry_run: bool, names: Mapping[str, str]) -
 
     out = console()
     for outcome, title in HEADINGS.items():
-        arrivals = [each for each in found.of(outcome) if outcome != ACCEPTED or dry_run or each.why]
+        arrivals = [
+            each
+            for each in found.of(outcome)
+            if (outcome != ACCEPTED or dry_run or each.why) and not nothing_to_do(each, name)
+        ]
         if not arrivals:
             continue
         if outcome == ACCEPTED:
@@ -91,22 +94,27 @@ def show(found: Collected, name: str, dry_run: bool, names: Mapping[str, str]) -
             title += ", which the student reads, too" if any(each.why for each in arrivals) else ""
         headings = ("student", "file", "handed in", *(("why",) if any(each.why for each in arrivals) else ()))
         table = Table(*headings, title=title, title_justify="left", title_style="bold")
-        for each in arrivals:
-            cells = (each.student or "?", each.file, handed_in(each), each.why)
+        for each in arrivals[:MOST_LISTED]:
+            who = names.get(each.student, each.student) or "?"
+            cells = (who, each.file, handed_in(each), each.why)
             table.add_row(*(Text(visible(cell)) for cell in cells[: len(headings)]))
         out.print(table)
+        if len(arrivals) > MOST_LISTED:
+            out.print(f"and {len(arrivals) - MOST_LISTED} more; --json lists all", highlight=False)
     accepted, same, older = (len(found.of(outcome)) for outcome in (ACCEPTED, UNCHANGED, OLDER))
-    left = len(found.of(UNUSABLE)) + len(found.of(NOBODY))
+    unusable = [*found.of(UNUSABLE), *found.of(NOBODY)]
+    left = sum(not nothing_to_do(each, name) for each in unusable)
+    beside = f", {len(unusable) - left} texts or other files beside a notebook" * (left < len(unusable))
     verb = "would be taken" if dry_run else "taken"
     out.print(
-        f"{name}: {accepted} {verb}, {same} already there, {older} older, {left} not usable",
+        f"{name}: {accepted} {verb}, {same} already there, {older} older, {left} not usable{beside}",
         soft_wrap=True,
     )
     if found.requests:
-        who = few([names.get(each.student, each.student) for each in found.requests], MOST_MISSING)
+        who = few([names.get(each.student, each.student) for each in found.requests], MOST_LISTED)
         out.print(f"requests for regrading from {who}; corollary mark {name} shows them", soft_wrap=True)
     if found.missing:
-        who = few([names.get(student, student) for student in found.missing], MOST_MISSING)
+        who = few([names.get(student, student) for student in found.missing], MOST_LISTED)
         out.print(f"not handed in by {counted(len(found.missing), 'student')}: {who}", soft_wrap=True)
     if dry_run:
         out.print("nothing was written: this was a dry run")

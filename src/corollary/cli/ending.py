@@ -6,7 +6,7 @@ import importlib
 import json
 import os
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from errno import ENOSPC
 from pathlib import Path
 from typing import Any, NoReturn
@@ -177,6 +177,18 @@ def say(sentence: str) -> None:
     from corollary.messages import visible  # only now: --help loads nothing but the command line
 
     print(visible(sentence), file=sys.stderr)
+
+
+MOST_LISTED = 10  # lines, or names in a line; the rest is counted
+
+
+def say_each(sentences: Iterable[str], rest: str = "") -> None:
+    """The first messages of one kind, and how many more there are; `rest` says where these are."""
+    several = list(sentences)
+    for each in several[:MOST_LISTED]:
+        say(each)
+    if len(several) > MOST_LISTED:
+        say(f"and {len(several) - MOST_LISTED} more{f'; {rest}' if rest else ''}")
 
 
 def counted(count: int, what: str) -> str:

@@ -62,10 +62,10 @@ def run(
             return FAILS
         before = sheets(opened, problem_set, record)
         found = corrections(opened, problem_set, record, before)
-        say_corrections(found)
+        say_corrections(found, students)
         plan = renewals(opened, problem_set, solutions, record, before, {each.id for each in students})
         if renew:
-            say_renewals(plan)
+            say_renewals(plan, students)
             if plan.sheets and not agreed("Replace these sheets?", yes):
                 return FAILS
     with bar(f"generating {problem_set.name}", 2 * len(students) + 1) as progress:
@@ -85,7 +85,7 @@ def run(
         )
     if not renew and (plan.sheets or plan.handed_in):
         say("all students keep their present sheets")
-        say_renewals(plan)
+        say_renewals(plan, students)
     if as_json:
         answer(
             {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
@@ -9,15 +10,15 @@ from typing import Any
 
 import msgspec
 
-from corollary.cli.ending import FAILS, HOLDS, agreed, answer, say
+from corollary.cli.ending import FAILS, HOLDS, MOST_LISTED, agreed, answer, say, say_each
 from corollary.cli.pool_points import warn_of_pools
 from corollary.cli.terminal import console, countdown
-from corollary.cli.told_dates import reveal_now, warn_of_grading_early, warn_of_printed_dates
+from corollary.cli.told_dates import reveal_now, warn_of_grading_early, warn_of_printed_dates, with_name
 from corollary.course.grade import Outcome, grade_set
 from corollary.course.workers import on_cluster
 from corollary.grading.solutions import Solutions
 from corollary.messages import few, visible
-from corollary.records.files import one_writer, open_course
+from corollary.records.files import one_writer, open_course, students
 from corollary.records.origin import set_of
 from corollary.records.outside_changes import OutsideChange
 from corollary.records.regrading import Change, PartChange
@@ -48,6 +49,7 @@ def run(
     warn_of_grading_early(opened, problem_set)
     warn_of_pools(problem_set)
     warn_of_printed_dates(opened, problem_set)
+    names = {each.id: with_name(each) for each in students(opened)}
     with one_writer(opened), countdown(f"grading {problem_set.name}") as progress:
         done = grade_set(
             opened,
@@ -56,7 +58,7 @@ def run(
             partial(Runner, require=require),
             regrade=regrade,
             dry_run=dry_run,
-            ask=partial(ask, as_json=as_json, yes=yes),
+            ask=partial(ask, as_json=as_json, yes=yes, names=names),
             ask_outside=partial(ask_outside, as_json=as_json, yes=yes),
             progress=progress,
             jobs=jobs,
@@ -64,41 +66,47 @@ def run(
             # On a cluster it is the workers' machines that count, and each mark says theirs.
             begin=(lambda: None) if executor else (lambda: say_isolation(probe_isolation(require))),
         )
-    for stranger in done.strangers:
-        say(
-            f"{stranger} handed in but is not on the roster, so is not marked; add {stranger} to the roster and generate again"
-        )
+    say_each(
+        f"{stranger} handed in but is not on the roster, so is not marked; add {stranger} to the roster and generate again"
+        for stranger in done.strangers
+    )
     if done.refilled:
-        say(
-            f"marks restored in the gradebook and autograded/, those given by hand too: {few(done.refilled, 10)}"
-        )
-    for student, why in done.not_run.items():
-        say(f"{student} is not graded, because this machine failed: {why} Nothing is recorded; grade again")
-    for student, what in done.failures.items():
-        say(f"{student}: an internal error stopped the marking, so mark this by hand ({what})")
+        refilled = few([names.get(student, student) for student in done.refilled], MOST_LISTED)
+        say(f"marks restored in the gradebook and autograded/, those given by hand too: {refilled}")
+    say_each(
+        f"{names.get(student, student)} is not graded, because this machine failed: {why} Nothing is recorded; grade again"
+        for student, why in done.not_run.items()
+    )
+    say_each(
+        f"{names.get(student, student)}: an internal error stopped the marking, so mark this by hand ({what})"
+        for student, what in done.failures.items()
+    )
     if done.failures:
         say(
             f"this is an error in Corollary; please report it with {done.log}, and grade again with the next version"
         )
-    for student, names in done.unclear.items():
-        say(f"{student} handed in {why_unclear(problem_set.name, names)}")
-    for line in all_guessed(problem_set.name, done.guessed):
-        say(line)
+    say_each(
+        f"{names.get(student, student)} handed in {why_unclear(problem_set.name, found)}"
+        for student, found in done.unclear.items()
+    )
+    say_each(all_guessed(problem_set.name, done.guessed))
     if done.gone:
+        gone = few([names.get(student, student) for student in done.gone], MOST_LISTED)
         say(
-            f"no notebook is in submitted/STUDENT/{problem_set.name} any more, and its marks are kept: {', '.join(done.gone)}; put it "
+            f"no notebook is in submitted/STUDENT/{problem_set.name} any more, and its marks are kept: {gone}; put it "
             f"back and grade again, or corollary extend STUDENT {problem_set.name} --excuse, if the marks are not to count"
         )
-    for each in done.extended:
-        say(
-            f"{each.student} has {each.after:g} points instead of {each.before:g}: the deadline was extended, so lateness costs less"
-        )
+    say_each(
+        f"{names.get(each.student, each.student)} has {each.after:g} points instead of {each.before:g}: the deadline was extended, "
+        "so lateness costs less"
+        for each in done.extended
+    )
     if as_json:
         answer(document(problem_set.name, done))
     else:
         show(done, dry_run)
     if dry_run:
-        show_changes(done.changed, as_json=as_json)
+        show_changes(done.changed, as_json=as_json, names=names)
         say("nothing was written: this was a dry run")
     if done.outside:
         count = "1 score" if len(done.outside) == 1 else f"{len(done.outside)} scores"
@@ -111,9 +119,9 @@ def run(
     return FAILS if refused or done.not_run or (strict and broken) else HOLDS
 
 
-def ask(changed: tuple[Change, ...], *, as_json: bool, yes: bool) -> bool:
+def ask(changed: tuple[Change, ...], *, as_json: bool, yes: bool, names: Mapping[str, str]) -> bool:
     """Shows whose marks would move, from what to what and why, and asks whether they may."""
-    show_changes(changed, as_json=as_json)
+    show_changes(changed, as_json=as_json, names=names)
     count = sum(each.moves_points for each in changed)
     return agreed(
         f"Marks that {count} {'student has' if count == 1 else 'students have'} already would change. Write them?",
@@ -167,8 +175,8 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
     }
 
 
-def show_changes(changed: tuple[Change, ...], *, as_json: bool) -> None:
-    """Who changes, from what to what, and why; on standard output, unless a document goes there."""
+def show_changes(changed: tuple[Change, ...], *, as_json: bool, names: Mapping[str, str]) -> None:
+    """Who changes, from what to what, and why; on standard output, unless a document goes there. `names`: by id."""
     from rich.table import Table
     from rich.text import Text
 
@@ -182,7 +190,7 @@ def show_changes(changed: tuple[Change, ...], *, as_json: bool) -> None:
             heading, justify="left" if heading in {"student", "parts", "why"} else "right", overflow="fold"
         )
     for each in changed:
-        parts = "; ".join(map(_part, each.parts))
+        parts, who = "; ".join(map(_part, each.parts)), names.get(each.student, each.student)
         out_of = each.out_of_before != each.out_of
         had, gets = (
             f"{points:g} of {most:g}" if out_of else f"{points:g}"
@@ -194,7 +202,7 @@ def show_changes(changed: tuple[Change, ...], *, as_json: bool) -> None:
             else ""
         )
         numbers = (had, gets, f"{each.by:+g}{share}")
-        table.add_row(*(Text(visible(word)) for word in (each.student, *numbers, parts, each.why)))
+        table.add_row(*(Text(visible(word)) for word in (who, *numbers, parts, each.why)))
     out.print(table)
 
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from datetime import UTC, datetime
 
-from corollary.cli.ending import agreed, counted, refuse, say
+from corollary.cli.ending import MOST_LISTED, agreed, counted, refuse, say, say_each
 from corollary.course.renew import Renewals
 from corollary.messages import few
 from corollary.nbgrader.written_marks import with_solutions
@@ -37,28 +37,33 @@ def names_settled(
     return True
 
 
-def say_corrections(found: Sequence[Correction]) -> None:
+def say_corrections(found: Sequence[Correction], roster: Iterable[Student]) -> None:
     """Each with who has it so."""
     for each in found:
-        say(f"{each.code} {each.sentence} ({named(each.students)})")
+        say(f"{each.code} {each.sentence} ({named(each.students, roster)})")
 
 
-def say_renewals(found: Renewals) -> None:
+def say_renewals(found: Renewals, roster: Iterable[Student]) -> None:
     """For whom a new sheet would be another one, and who keeps theirs in any case."""
     if found.sheets:
-        say(
-            f"--renew replaces the sheet of {named([each.student for each in found.sheets])} by the corrected one"
-        )
-    for each in found.sheets:
-        if each.other:
-            say(f"  {each.student} gets new numbers in {', '.join(each.other)}")
+        whose = named([each.student for each in found.sheets], roster)
+        say(f"--renew replaces the sheet of {whose} by the corrected one")
+    names = {each.id: with_name(each) for each in roster}
+    say_each(
+        f"  {names.get(each.student, each.student)} gets new numbers in {', '.join(each.other)}"
+        for each in found.sheets
+        if each.other
+    )
     if found.handed_in:
-        say(f"no new sheet, since they have handed in: {named(found.handed_in)}")
+        say(
+            f"no new sheet, with or without --renew, since they have handed in: {named(found.handed_in, roster)}"
+        )
 
 
-def named(students: Sequence[str]) -> str:
-    """`3 students: ada, ben, cyd`."""
-    return f"{counted(len(students), 'student')}: {few(students)}"
+def named(students: Sequence[str], roster: Iterable[Student]) -> str:
+    """`3 students: Ada Lovelace (0101014), ben, cyd`; ten at most."""
+    names = {each.id: with_name(each) for each in roster}
+    return f"{counted(len(students), 'student')}: {few([names.get(each, each) for each in students], MOST_LISTED)}"
 
 
 def with_name(student: Student) -> str:
@@ -101,7 +106,7 @@ def warn_of_grading_early(course: Course, problem_set: ProblemSet, at: datetime 
         last = deadlines.last
         assert last is not None
         say(
-            f"{few(more)} can still hand in {problem_set.name}, at the latest until {written(last)} "
+            f"{few(more, MOST_LISTED)} can still hand in {problem_set.name}, at the latest until {written(last)} "
             f"(corollary extend --list {problem_set.name} shows each date)"
         )
         if deadlines.reveal == "after extensions":
@@ -116,11 +121,19 @@ def warn_of_printed_dates(course: Course, problem_set: ProblemSet) -> None:
     """Before marking: whose sheet prints a later moment than the set has by now, which holds for them."""
     deadlines = read_deadlines(course, problem_set)
     if deadlines.due is not None and (whose := deadlines.by_sheet):
+        printed = _moments(deadlines.printed[each] for each in whose)
         say(
-            f"warning: {problem_set.name} is due {written(deadlines.due)} now, but the sheets of {named(whose)} print a later "
-            f"date, and that date counts for them. corollary generate {problem_set.name} --renew gives a new sheet to students "
-            "who have not handed in"
+            f"warning: {problem_set.name} is due {written(deadlines.due)} now, but the sheets of {named(whose, students(course))} "
+            f"print {printed}, which counts for them. corollary generate {problem_set.name} --renew gives a new sheet to "
+            "students who have not handed in"
         )
+
+
+def _moments(printed: Iterable[datetime]) -> str:
+    """`27 November 2026, 23:59`; of several the first and the last."""
+    several = sorted({when.astimezone(UTC): when for when in printed}.items())
+    first, last = written(several[0][1]), written(several[-1][1])
+    return first if len(several) == 1 else f"dates from {first} to {last}"
 
 
 def reveal_now(course: Course, problem_set: ProblemSet, dry_run: bool) -> None:

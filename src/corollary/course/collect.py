@@ -241,7 +241,7 @@ def collect(
         remember(course, name, sorted(arrivals, key=lambda each: each.outcome == NOBODY))
     if moved:
         remarks.append(f"times corrected by the worksheet, of files already in submitted/: {few(moved, 12)}")
-    arrivals = [_beside_a_notebook(each, name, by_student) for each in arrivals]
+    arrivals = [_beside_a_notebook(each, name, {*by_student, *there}) for each in arrivals]
     came = there.keys() | by_student.keys()
     expected = [each.id for each in roster if each.id in assigned and not deadlines.excused(each.id)]
     missing = tuple(each for each in expected if each not in came)
@@ -293,13 +293,20 @@ class _StudentFiles:
         return found
 
 
-def _beside_a_notebook(each: Arrival, name: str, by_student: Collection[str]) -> Arrival:
-    """A file of another kind from a student whose notebook came, too: nobody need ask for one."""
-    if each.outcome == UNUSABLE and each.student in by_student and each.why == not_a_notebook(name):
-        return msgspec.structs.replace(
-            each, why=f"is not a notebook; nothing to do, since {name}.ipynb came, too"
-        )
+def _beside_a_notebook(each: Arrival, name: str, students: Collection[str]) -> Arrival:
+    """A file of another kind from a student whose notebook came, too, or lies in the course: nobody need ask for one."""
+    if each.outcome == UNUSABLE and each.student in students and each.why == not_a_notebook(name):
+        return msgspec.structs.replace(each, why=_came_too(name))
     return each
+
+
+def _came_too(name: str) -> str:
+    return f"is not a notebook; nothing to do, since {name}.ipynb came, too"
+
+
+def nothing_to_do(each: Arrival, name: str) -> bool:
+    """True for a text or another file beside a student's notebook, as Moodle's online texts are."""
+    return each.outcome == UNUSABLE and each.why == _came_too(name)
 
 
 def _members(sources: Sequence[Path], directory: Directory, set_name: str) -> Iterator[Member]:

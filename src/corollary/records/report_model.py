@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
 from statistics import fmean, median
 from typing import get_args
 
 import msgspec
 
 from corollary.answers.verdict import Verdict
-from corollary.messages import visible
+from corollary.messages import few, visible
 from corollary.problem.dates import written
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.collusion import RARE, SHARING, Shared, read_shared
@@ -89,7 +89,7 @@ class Report:
     and `coincidences` are as many more that chance explains; `nobodys` are the files collected of which nobody knows whose they are,
     with the reason; `unusable` says of a student why what was handed in cannot be marked. `excused` need not hand in, and are counted nowhere,
     though their work is marked. `rubric` counts the items that persons ticked, `outside` are scores changed in the gradebook that
-    nobody has agreed to, `requests` those for regrading that are open."""
+    nobody has agreed to, `requests` those for regrading that are open. `names` are those of the roster, by id."""
 
     handed_in: tuple[HandedIn, ...]
     rows: tuple[Row, ...]
@@ -106,6 +106,16 @@ class Report:
     rubric: tuple[RubricCount, ...] = ()
     outside: tuple[OutsideChange, ...] = ()
     requests: tuple[OpenRequest, ...] = ()
+    names: Mapping[str, str] = field(default_factory=dict[str, str])
+
+    def called(self, student: str) -> str:
+        """`Ada Lovelace (0101014)`; the id alone where the roster has no name."""
+        name = self.names.get(student, student)
+        return name if name == student else f"{name} ({student})"
+
+    def some(self, whose: Sequence[str], most: int) -> str:
+        """The first by name, and how many more there are."""
+        return few([self.called(student) for student in whose[:most]] + list(whose[most:]), most)
 
     @property
     def noticed(self) -> tuple[HandedIn, ...]:
@@ -166,7 +176,8 @@ def report_of(
     out). With `only`, the report is on these students. Raises NotACourse."""
     parts = [(problem.code, part.id) for problem in problem_set.problems for part in problem.parts]
     places = {part: place for place, part in enumerate(parts)}
-    roster = [student.id for student in students(course) if only is None or student.id in only]
+    everybody = students(course)
+    roster = [student.id for student in everybody if only is None or student.id in only]
     deadlines = read_deadlines(course, problem_set)
     excused = [student for student in roster if deadlines.excused(student)]
     roster = [student for student in roster if student not in excused]
@@ -199,6 +210,7 @@ def report_of(
         unusable=unusable,
         excused=excused,
         nobodys=[(visible(each.file), visible(each.why)) for each in without_owner(arrivals)],
+        names={student.id: student.name for student in everybody},
     )
     return replace(
         found,
@@ -238,6 +250,7 @@ def report(
     unusable: Mapping[str, str] | None = None,
     excused: Sequence[str] = (),
     nobodys: Sequence[tuple[str, str]] = (),
+    names: Mapping[str, str] | None = None,
 ) -> Report:
     """The report on rows as they are recorded; parts in the order of their first row. `roster` holds all students' ids."""
     by_part: dict[tuple[str, str], list[Row]] = {}
@@ -262,12 +275,16 @@ def report(
         tuple(nobodys),
         len(shared) - len(rare),
         near_misses(rows),
+        names or {},
     )
 
 
 def _tally(problem: str, part: str, rows: Sequence[Row]) -> PartTally:
+    """A part of which every answer still waits has no share, though blank ones are marked by themselves."""
     counts = Counter(BY_HAND if row.by_hand else row.verdict for row in rows)
-    shares = [row.points / row.out_of for row in rows if row.verdict != "unmarked" and row.out_of > 0]
+    unfinished = counts["unmarked"] and counts["unmarked"] + counts["unread"] == len(rows)
+    marked = [] if unfinished else [row for row in rows if row.verdict != "unmarked" and row.out_of > 0]
+    shares = [row.points / row.out_of for row in marked]
     return PartTally(
         problem, part, {word: counts[word] for word in (*WORDS, BY_HAND)}, fmean(shares) if shares else None
     )

@@ -276,6 +276,16 @@ class MarkedPart:
         return None if self.record.manual is msgspec.UNSET else self.record.manual.request
 
     @property
+    def folds(self) -> bool:
+        """True if the part is right and nothing more is said of it than that."""
+        whole = self.record.points >= self.record.out_of > 0
+        return (
+            whole
+            and self.look is LOOKS["right"]
+            and not (self.comment or self.feedback or self.ticked or self.request)
+        )
+
+    @property
     def feedback(self) -> str:
         """What the program says of it; nothing where a person decided, or where the look says it."""
         if self.look is BY_HAND or self.record.feedback == f"{self.look.phrase}.":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from statistics import fmean, median
 from typing import TYPE_CHECKING, Final
@@ -13,7 +13,8 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from corollary.messages import few, visible
+from corollary.answers.explain.judging import by_teacher
+from corollary.messages import visible
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.collusion import SHARING
 from corollary.records.marks import HandedIn, Row
@@ -26,7 +27,8 @@ from corollary.render.wording import BY_HAND, LOOKS, Look, percent, points
 if TYPE_CHECKING:
     from corollary.records.statistics import SetStatistics
 
-MOST = 15
+MOST = 10
+IN_WORDS = "an answer in words"  # in the place of the sentence that students read
 MOST_IN_A_CELL = 4  # students in a cell
 
 
@@ -53,7 +55,7 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
                 (
                     f"{met.problem} {met.part}",
                     met.text,
-                    f"{len(met.students)}: {few(met.students, MOST_IN_A_CELL)}",
+                    f"{len(met.students)}: {report.some(met.students, MOST_IN_A_CELL)}",
                 )
                 for met in report.met[:MOST]
             ),
@@ -64,7 +66,7 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
             "Waits for marking",
             ("part", "why", "students"),
             (
-                (f"{problem} {part}", why, f"{len(whose)}: {few(whose, MOST_IN_A_CELL)}")
+                (f"{problem} {part}", why, f"{len(whose)}: {report.some(whose, MOST_IN_A_CELL)}")
                 for (problem, part, why), whose in list(waiting.items())[:MOST]
             ),
         )
@@ -80,7 +82,7 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
                     one.kind,
                     one.answers[0].typed,
                     one.answers[0].read,
-                    f"{len(one.students)}: {few(one.students, MOST_IN_A_CELL)}",
+                    f"{len(one.students)}: {report.some(one.students, MOST_IN_A_CELL)}",
                 )
                 for one in report.near_misses[:MOST]
             ),
@@ -88,18 +90,21 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
         yield from _more(len(report.near_misses))
     yield from by_hand_tables(report)
     if report.failed:
-        yield _table(
-            "Something went wrong", ("student", "why"), ((one.student, one.trouble) for one in report.failed)
+        yield from _cut(
+            "Something went wrong",
+            ("student", "why"),
+            [(report.called(one.student), one.trouble) for one in report.failed],
         )
     if report.unusable:
-        yield _table("Handed in, but cannot be marked", ("student", "what"), iter(report.unusable))
+        unusable = [(report.called(student), why) for student, why in report.unusable]
+        yield from _cut("Handed in, but cannot be marked", ("student", "what"), unusable)
     if report.nobodys:
-        yield _table("Collected, owner unknown", ("file", "what"), iter(report.nobodys))
+        yield from _cut("Collected, owner unknown", ("file", "what"), report.nobodys)
     if report.noticed:
-        yield _table(
+        yield from _cut(
             "Noticed (no points were deducted)",
             ("student", "what"),
-            ((one.student, note) for one in report.noticed for note in one.notes),
+            [(report.called(one.student), note) for one in report.noticed for note in one.notes],
         )
     if report.shared:
         title = "Wrong, but right for another student's numbers (proves nothing by itself)"
@@ -107,7 +112,12 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
             title,
             ("student", "fits", "parts", "by chance"),
             (
-                (one.student, one.other, ", ".join(one.parts), f"{one.chance:.2g}")
+                (
+                    report.called(one.student),
+                    report.called(one.other),
+                    ", ".join(one.parts),
+                    f"{one.chance:.2g}",
+                )
                 for one in report.shared[:MOST]
             ),
         )
@@ -115,9 +125,9 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
     if report.coincidences:
         yield Text(f"\n{coincidences(report)}")
     if missing := tuple(one for one in report.missing if one not in unmarked):
-        yield Text(f"\nNot handed in by {len(missing)}: {few(missing, 12)}")
+        yield Text(f"\nNot handed in by {len(missing)}: {report.some(missing, MOST)}")
     if report.excused:
-        yield Text(f"\nExcused: {few(report.excused, 12)}")
+        yield Text(f"\nExcused: {report.some(report.excused, MOST)}")
     for line, count in report.isolation.items():
         yield Text(f"\n{count} ran behind {line}", style="dim")
 
@@ -186,9 +196,15 @@ def _table(title: str, columns: tuple[str, ...], rows: Iterator[tuple[str, ...]]
     return table
 
 
+def _cut(title: str, columns: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> Iterator[RenderableType]:
+    """The first rows of a table, and how many more there are."""
+    yield _table(title, columns, iter(rows[:MOST]))
+    yield from _more(len(rows))
+
+
 def _more(count: int) -> Iterator[Text]:
     if count > MOST:
-        yield Text(f"and {count - MOST} more; --json has them all", style="dim")
+        yield Text(f"and {count - MOST} more, in the report's page and with --json", style="dim")
 
 
 FORMGRADER: Final = "http://localhost:8888/formgrader"
@@ -328,7 +344,8 @@ def _waiting_answers(report: Report) -> dict[tuple[str, str, str], list[str]]:
     """Whose answers wait, by problem, part and reason."""
     found: dict[tuple[str, str, str], list[str]] = {}
     for one in report.waiting:
-        found.setdefault((one.problem, one.part, one.why), []).append(one.student)
+        why = IN_WORDS if one.why == by_teacher() else one.why
+        found.setdefault((one.problem, one.part, why), []).append(one.student)
     return found
 
 

@@ -12,9 +12,14 @@ from corollary.messages import catalogue
 _ = catalogue(__name__)
 
 
+def by_teacher() -> str:
+    """What a student reads of an answer in words."""
+    return _("An explanation is marked by your teacher, not by the program.")
+
+
 def judge(answer: Answer, expected: Expected) -> Verdict:
     """A person decides, by the rubric."""
-    return Unmarked(_("An explanation is marked by your teacher, not by the program."), expected.rubric)
+    return Unmarked(by_teacher(), expected.rubric)
 
 
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
