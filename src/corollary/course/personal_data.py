@@ -70,7 +70,7 @@ def find_data(course: Course, person: Person) -> PersonalData:
     for parts, path in _files(course):
         if (done := _separated(course, parts, path, person, found)) is not None and done.is_changed:
             found.places.append(DataPlace("/".join(parts), _action(parts, done), done.entries))
-        elif done is not None and (report := _is_report(course, parts)):
+        elif done is not None and (report := _report_action(course, parts, path, person)):
             found.places.append(DataPlace("/".join(parts), report, 1))
     for place in exchange_places(course, person.id, _digests(course, person)):
         found.places.append(DataPlace(str(place), "delete", 1))
@@ -95,7 +95,7 @@ def take_out(
         parted = _separated(course, parts, path, person, done)
         if parted is None:
             continue
-        report = _is_report(course, parts)
+        report = _report_action(course, parts, path, person)
         if not (parted.is_changed or report):
             continue
         place = DataPlace("/".join(parts), report or _action(parts, parted), parted.entries)
@@ -197,8 +197,13 @@ def _action(parts: tuple[str, ...], done: Separated) -> Action:
     return "delete" if done.rest is None else "change"
 
 
-def _is_report(course: Course, parts: tuple[str, ...]) -> Action | None:
-    return "write again" if parts[0] == "reports" and parts[-1].endswith(".html") else None
+def _report_action(course: Course, parts: tuple[str, ...], path: Path, person: Person) -> Action | None:
+    """What becomes of a page in `reports/`: that of a set is written again; another that names the student is deleted."""
+    if parts[0] != "reports" or not parts[-1].endswith(".html"):
+        return None
+    if len(parts) == 2 and path.stem in graded_sets(course):
+        return "write again"
+    return "delete" if mentions(path.read_bytes(), person) else None
 
 
 def _change(course: Course, path: Path, parted: Separated, person: Person, *, delete: bool) -> None:

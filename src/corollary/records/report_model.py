@@ -275,7 +275,7 @@ def report(
         tuple(nobodys),
         len(shared) - len(rare),
         near_misses(rows),
-        names or {},
+        names=names or {},
     )
 
 
