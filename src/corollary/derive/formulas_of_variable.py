@@ -25,11 +25,11 @@ def formulas_of_variable(
     those of this step among them, at some place of the domain."""
     assert isinstance(find.local, ClosedForms)
     trees = find.in_givens or find.local.trees
-    variables = {each.symbol for each in problem.variables}
+    variables = [each.symbol for each in problem.variables]
     lines: list[str] = []
     for place, name in enumerate(find.names):
         tree = printed_form(find.printed_in_givens, trees, place, si[name], si)
-        of = ", ".join(letter(each) for each in sorted(names(tree) & variables))
+        of = ", ".join(letter(each) for each in variables if each in names(tree))
         left = f"{letter(name)}({of})" if of else letter(name)
         in_letters, in_numbers = latex(tree), latex(tree, known)
         printed = [f"{letter(each.name)}({letter(each.letter)})" for each in find.functions]

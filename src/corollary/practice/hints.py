@@ -17,6 +17,7 @@ from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
 from corollary.formula.ast import Expr, Name, Number, names
 from corollary.formula.ball import Undefined, certified
 from corollary.formula.latex import latex, letter, letters_printed, vector
+from corollary.formula.operators import has_operators
 from corollary.grading.advice import advice_for
 from corollary.grading.key import Key
 from corollary.grading.replay import letters_of, steps_to
@@ -220,7 +221,9 @@ def _formulas(step: Unknown, asked: Unknown) -> list[Expr]:
 
 def _is(side: Expr, answers: Sequence[Expr]) -> bool:
     """Whether a side of an equation is an answer's formula in other letters; a letter or a number alone is none."""
-    return not isinstance(side, (Name, Number)) and any(_alike(side, answer) for answer in answers)
+    if isinstance(side, (Name, Number)) or has_operators(side):
+        return False
+    return any(_alike(side, answer) for answer in answers)
 
 
 def _alike(one: Expr, other: Expr) -> bool:

@@ -118,8 +118,8 @@ def keyed_parts(key: Key) -> Iterator[KeyedPart]:
                 formula if part.of else written_out(truth.values, part),
                 formula if part.of else bare(truth.values, part),
                 formula,
-                truth.tolerance,
-                truth.noise,
+                0.0 if part.of else truth.tolerance,
+                0.0 if part.of else truth.noise,
                 tuple(_foreseen(key, part)),
             )
         elif part.id in key.solution.forces:

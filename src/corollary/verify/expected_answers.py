@@ -112,7 +112,7 @@ def _truth(key: Key, part: Part) -> Truth | None:
     if not answer_type(part.answer_type).in_symbols:
         return key.truths[part.id].values
     in_givens = key.find(key.truths[part.id]).in_givens
-    return text(in_givens[0]) if in_givens else None
+    return "; ".join(map(text, in_givens)) if in_givens else None
 
 
 FACTOR = 2.0  # an estimate in one's head is within it; most slips of the algebra are not

@@ -21,14 +21,20 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
 
 
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
-    """`truth` is the formula as text."""
+    """`truth` is the formula as text; those of components are parted by semicolons."""
     assert isinstance(truth, str)
+    formulas = truth.split("; ")
+
+    def typed(around: str) -> str | list[str]:
+        texts = [around.replace("…", each) for each in formulas]
+        return texts if question.components else texts[0]
+
     return (
-        Sample(truth, "right"),
-        Sample(f"({truth})*7/7", "right"),
-        Sample(f"1.37*({truth})", "wrong"),
-        Sample(f"{truth} +", "unread"),
-        Sample(f"q_unknown*({truth})", "unread"),
+        Sample(typed("…"), "right"),
+        Sample(typed("(…)*7/7"), "right"),
+        Sample(typed("1.37*(…)"), "wrong"),
+        Sample(typed("… +"), "unread"),
+        Sample(typed("q_unknown*(…)"), "unread"),
         Sample(3.0, "unread"),
         Sample(None, "unread"),
     )

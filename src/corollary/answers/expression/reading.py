@@ -44,11 +44,7 @@ class ExpressionType(AnswerType):
         return _("A formula.")
 
     def instructions(self, question: Question) -> str:
-        return (
-            symbols_note(question)
-            if not question.variables
-            else f"{symbols_note(question)} {_in_numbers(question)}"
-        )
+        return f"{symbols_note(question)} {in_numbers(question)}".rstrip()
 
     def blank(self, question: Question) -> str:
         if question.components:
@@ -117,8 +113,10 @@ def _tree(text: str, question: Question) -> Expr | Unclear:
     return tree
 
 
-def _in_numbers(question: Question) -> str:
-    """How a formula of a variable is written with numbers in place of the other letters."""
+def in_numbers(question: Question) -> str:
+    """How a formula of a variable is written with numbers in place of the other letters; empty for other formulas."""
+    if not question.variables:
+        return ""
     variables = {name for name, _low, _high in question.variables}
     units = [
         f"`{each.name}` [{show(each.unit) or '1'}]" for each in question.symbols if each.name in variables

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 from xml.sax.saxutils import escape
 
+from corollary.answers.expression.reading import in_numbers
 from corollary.formula.ast import Call, Expr, Number, Relation, map_children, names, walk
 from corollary.formula.plain_text import text
 from corollary.render.exports import CarriedPart, ItemFiles, Target
@@ -52,6 +53,7 @@ def _renamed(tree: Expr) -> Expr:
 
 
 FORMULA_LOST = "the dimension of what is typed is not looked at; a constant off by a root, by pi/180 or by rounding is wrong"
+NUMBERS_LOST = "; a formula with numbers in place of the givens is wrong, and the question does not offer it"
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +102,10 @@ def _stack_part(item: LmsItem, asked: NotAsked) -> StackPart:
 def _carried(part: CarriedPart, found: StackPart | None) -> CarriedPart:
     if found is None:
         return part
-    return replace(part, lost=found.why) if found.why else replace(part, how="STACK", lost=FORMULA_LOST)
+    if found.why:
+        return replace(part, lost=found.why)
+    of_variable = bool(found.asked.prompt.part.of)
+    return replace(part, how="STACK", lost=FORMULA_LOST + (NUMBERS_LOST if of_variable else ""))
 
 
 def _question(name: str, of_formula: StackPart) -> Iterator[str]:
@@ -116,7 +121,9 @@ def _question(name: str, of_formula: StackPart) -> Iterator[str]:
         f"<p>{escape(f'{component}: ' if component else '')}[[input:{field}]] [[validation:{field}]]</p>"
         for component, field in zip(part.components or ("",), fields, strict=True)
     )
-    words = f"{moodle.words(asked)}{typed}"
+    prompt = asked.prompt
+    letters_only = prompt.text.replace(in_numbers(prompt.question), "").rstrip()
+    words = f"{moodle.words(replace(asked, prompt=replace(prompt, text=letters_only)))}{typed}"
     stem = f"{tex_html(item.exercise.statement)}{moodle.figure(item)}"
     sans = fields[0] if len(fields) == 1 else f"[{', '.join(fields)}]"
     yes = int(asked.positive)
