@@ -345,6 +345,23 @@ def test_what_one_student_hands_in_keeps_no_other_from_being_collected(
     assert not (hub.course / "submitted" / ADA.pw_name / "one").exists()
 
 
+def test_a_request_for_regrading_comes_with_the_same_notebook_and_its_first_time(
+    hub_with_hand_ins: Hub,
+) -> None:
+    hub = hub_with_hand_ins
+    assert hub.run(None, "collect", "one").returncode == 0
+    place = hub.course / "submitted" / ADA.pw_name / "one"
+    first = (place / "timestamp.txt").read_text()
+    form = hub.home(ADA) / "one" / "request_one.md"
+    form.write_text("## X12.5 (a)\nI went by p = 2mv\n")
+    shutil.chown(form, ADA.pw_uid, ADA.pw_gid)
+    assert hub.run(ADA, "submit", "one").returncode == 0
+    done = hub.run(None, "collect", "one", "--update")
+    assert done.returncode == 0, done.stderr
+    assert (place / "request_one.md").read_text() == form.read_text()
+    assert (place / "timestamp.txt").read_text() == first
+
+
 def test_a_time_that_is_none_keeps_no_other_from_being_collected_again(hub: Hub) -> None:
     """What Ada hands in holds a timestamp.txt of her own; Ben has pipes for folders."""
     inbound = hub.folder / "exchange" / "course" / "inbound"

@@ -35,6 +35,7 @@ from corollary.cli.parameters import (
     PRINTED_AND_MARKED,
     RUNNING,
     SET,
+    SET_IF_ANY,
     SOLUTION,
     VARIANTS,
     VERIFYING_CLUSTER,
@@ -325,7 +326,7 @@ command(
 command(
     "report",
     "Write the instructor's report: marks, each part, misconceptions, answers waiting for a person.",
-    SET,
+    SET_IF_ANY,
     COURSE,
     GENERATED_BANK,
     JSON,
@@ -334,6 +335,7 @@ command(
         "--statistics", "Add difficulty, discrimination, and the effect of the numbers drawn, with intervals."
     ),
     path("--csv", text="Write these statistics here as a table."),
+    text("--student", "Show the whole history of one student's marks instead.", STUDENTS),
     *IN_PART,
 )
 command(

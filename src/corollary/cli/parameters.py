@@ -75,6 +75,9 @@ CODE = click.Argument(
 SET = click.Argument(
     ["name"], metavar="SET", help="A problem set of the bank, or a path to its .md file.", shell_complete=SETS
 )
+SET_IF_ANY = click.Argument(
+    ["name"], metavar="[SET]", required=False, help="A problem set of the course.", shell_complete=SETS
+)
 JSON = click.Option(["--json", "as_json"], is_flag=True, help="One JSON document on standard output.")
 COURSE = path("--course", text="The course folder; the one around the working folder when left out.")
 OF_COURSE = path(

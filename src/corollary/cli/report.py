@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import os
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from corollary.cli.ending import HOLDS, answer, say
+from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.cli.terminal import bar, console
 from corollary.course.up_to_date import up_to_date
-from corollary.nbgrader.written_marks import current_manual
+from corollary.nbgrader.written_marks import current_manual, synchronized
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.files import Course, ids_in, open_course
+from corollary.records.files import BeingGraded, Course, find_student, ids_in, one_writer, open_course
+from corollary.records.marks import graded_sets
 from corollary.records.origin import set_of
 from corollary.records.report_model import Report, report_of, report_record
 from corollary.records.settings import read_settings
@@ -22,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def run(
-    name: str,
+    name: str | None,
     course: Path,
     bank: Path | None,
     as_json: bool,
@@ -31,8 +33,15 @@ def run(
     csv: Path | None,
     section: str | None = None,
     group: str | None = None,
+    student: str | None = None,
 ) -> int:
     opened = open_course(course)
+    if student is not None:
+        return _history(opened, student, name or "", as_json)
+    if name is None:
+        refuse(
+            "name the problem set, as in: corollary report week1; or a student: corollary report --student ada"
+        )
     place, problem_set = set_of(opened, name, bank)
     only = ids_in(opened, section, group)
     found = up_to_date(opened, problem_set)
@@ -66,6 +75,27 @@ def run(
             from corollary.render.statistics_table import statistics_table
 
             console().print(statistics_table(estimates))
+    return HOLDS
+
+
+def _history(course: Course, name: str, set_name: str, as_json: bool) -> int:
+    """All that was ever given to one student."""
+    from corollary.records.student_history import history_record, student_history
+    from corollary.render.history_table import history_table
+
+    who = find_student(course, name)
+    with suppress(BeingGraded), one_writer(course):
+        synchronized(course)
+    found = student_history(course, who.id, set_name)
+    if set_name and not found:
+        refuse(
+            f"nothing of {who.id} is marked in {set_name}; the course has {', '.join(graded_sets(course)) or 'no set'}"
+        )
+    if as_json:
+        answer(history_record(found, who.id, {who.id: who.name}))
+    else:
+        title = who.id if who.name == who.id else f"{who.name} ({who.id})"
+        console().print(history_table(found, title, read_settings(course.folder).usual.zone))
     return HOLDS
 
 

@@ -35,6 +35,7 @@ from corollary.nbgrader.gradebook import directory, need_nbgrader, programs_on_p
 from corollary.records.assignments import is_assigned
 from corollary.records.files import BESIDE, Course, open_course, students
 from corollary.records.marks import feedback_place
+from corollary.records.regrade_requests import is_request
 from corollary.records.submissions import STAMP, beside, writable
 from corollary.sandbox.file import bytes_of
 
@@ -211,12 +212,12 @@ class CollectFromEach(ExchangeCollect):
 
     def _same_time(self, student: str, before: tuple[dict[str, bytes], bytes]) -> None:
         """Who hands in the same notebooks again, with a request for regrading, handed them in when they came first."""
+        coursedir = cast(CourseDirectory, self.coursedir)
+        name = str(coursedir.assignment_id)
+        place = Path(coursedir.format_path(coursedir.submitted_directory, student, name))
         notebooks, stamped = before
-        if notebooks and stamped and self._notebooks(student)[0] == notebooks:
-            coursedir = cast(CourseDirectory, self.coursedir)
-            place = Path(
-                coursedir.format_path(coursedir.submitted_directory, student, coursedir.assignment_id)
-            )
+        asks = place.is_dir() and any(is_request(each.name, name) for each in place.iterdir())
+        if asks and notebooks and stamped and self._notebooks(student)[0] == notebooks:
             write_whole(place / STAMP, stamped)
 
     def do_copy(self, src: str, dest: str, log: Any = None) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
@@ -15,6 +16,7 @@ from corollary.problem.late_penalty import LateSteps
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assignments import printed_dates
 from corollary.records.files import Course, NotACourse
+from corollary.records.manual_marks import append, entries, login_name
 
 
 class Extension(msgspec.Struct, frozen=True):
@@ -22,6 +24,18 @@ class Extension(msgspec.Struct, frozen=True):
 
     until: datetime | None = None
     excused: bool = False
+
+
+class ExtensionEntry(msgspec.Struct, frozen=True):
+    """A line of the journal of extensions: what was given, or that it was taken back; by whom and when."""
+
+    set: str
+    student: str
+    until: datetime | None = None
+    excused: bool = False
+    removed: bool = False
+    by: str = ""
+    at: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +129,7 @@ def read_extensions(course: Course, set_name: str) -> dict[str, Extension]:
 def write_extension(course: Course, set_name: str, student: str, extension: Extension) -> None:
     """Records it: one file a student, so that two who give extensions at once lose none."""
     write_whole(_place(course, set_name, student), msgspec.json.encode(extension) + b"\n")
+    _note(course, set_name, student, extension, removed=False)
 
 
 def remove_extension(course: Course, set_name: str, student: str) -> bool:
@@ -122,7 +137,23 @@ def remove_extension(course: Course, set_name: str, student: str) -> bool:
     path = _place(course, set_name, student)
     there = path.exists()
     path.unlink(missing_ok=True)
+    if there:
+        _note(course, set_name, student, Extension(), removed=True)
     return there
+
+
+def extension_history(course: Course) -> Iterator[ExtensionEntry]:
+    """Every extension and excuse that was ever given or taken back, oldest first."""
+    for entry in entries(course.record("extensions", "journal.jsonl")):
+        with suppress(msgspec.ValidationError):
+            yield msgspec.convert(entry, ExtensionEntry)
+
+
+def _note(course: Course, set_name: str, student: str, extension: Extension, *, removed: bool) -> None:
+    at = datetime.now(UTC).isoformat(timespec="seconds")
+    until, excused = extension.until, extension.excused
+    line = ExtensionEntry(set_name, student, until, excused, removed, login_name(), at)
+    append(course.record("extensions", "journal.jsonl"), [line])
 
 
 def all_extensions(course: Course) -> dict[str, dict[str, Extension]]:
