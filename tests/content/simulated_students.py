@@ -1,7 +1,7 @@
 """Students simulated on the problems of installed banks: `python simulated_students.py VARIANTS CODE…`, the banks from COROLLARY_BANK.
 
-One student answers everything right, others make one of the solution's mistakes each, all typed to five figures in the part's unit. One
-JSON document: how many did what, and what was not judged as it should be.
+One student answers everything right, others make one of the solution's mistakes each, all typed to five figures in the part's unit, or as
+formulas where these are asked for. One JSON document: how many did what, and what was not judged as it should be.
 """
 
 from __future__ import annotations
@@ -14,7 +14,9 @@ from collections.abc import Iterator
 import corollary
 from corollary.answers.option_names import option_named
 from corollary.answers.verdict import Mistaken, Right
+from corollary.formula.ast import Expr
 from corollary.formula.ball import Undefined
+from corollary.formula.plain_text import text
 from corollary.formula.value import Items, Text, Value
 from corollary.grading.assign import admitted
 from corollary.grading.judge import judge
@@ -32,9 +34,20 @@ def typed(key: Key, part: str, values: tuple[float, ...]) -> Value:
     return texts[0] if len(texts) == 1 else Items(texts, (len(texts),))
 
 
+def written(trees: tuple[Expr, ...]) -> Value:
+    """The formula that a part of a variable asks for, or a list of them."""
+    texts = tuple(Text(text(tree)) for tree in trees)
+    return texts[0] if len(texts) == 1 else Items(texts, (len(texts),))
+
+
 def mistaken(key: Key) -> Iterator[tuple[str, str, Value]]:
     """Part, sentence and answer of everybody who makes one mistake and shows it."""
     for each in visible_mistakes(key.solution):
+        if key.variant.problem.asks_of_variable(each.part):
+            trees = each.formulas(key.solution)
+            assert trees is not None
+            yield each.part, each.mistake.text, written(trees)
+            continue
         what_if = WhatIf(rules={each.place: each.mistake.rule})
         try:
             values = replay(key.solution, key.variant.exact, what_if, each.at)
@@ -56,7 +69,12 @@ def play(code: str, count: int, counts: Counter[str]) -> list[str]:
     ]
     for key in keys[:count]:
         where = f"{code} {dict(key.variant.values)}"
-        answers = {part: typed(key, part, truth.values) for part, truth in key.truths.items()}
+        answers = {
+            part: written(key.find(truth).in_givens or ())
+            if problem.asks_of_variable(part)
+            else typed(key, part, truth.values)
+            for part, truth in key.truths.items()
+        }
         answers |= {part: Text(option_named(problem.part(part), each)) for part, each in key.choices.items()}
         judged = judge(key, answers)
         counts["right"] += len(answers)
