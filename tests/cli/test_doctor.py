@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
+import shutil
 import sqlite3
 from collections.abc import Callable
 from pathlib import Path
@@ -12,6 +14,7 @@ import pytest
 from click.testing import CliRunner
 
 from corollary.cli.commands import app
+from corollary.problem.bank import chapter_bank
 from corollary.problem.roster import Student
 from corollary.records.files import create_course, one_writer, open_course
 
@@ -242,6 +245,22 @@ def test_a_set_whose_bank_has_moved(course: Path):
     (origin / "week1.json").write_text(json.dumps({"bank": str(course / "gone"), "set": None}))
     status, found = doctor()
     assert (status, found["set week1"]["state"]) == (1, "broken")
+    assert "--bank DIR" in found["set week1"]["remedy"]
+
+
+def test_the_advice_for_a_bank_that_has_moved_works_as_it_stands(course: Path, tmp_path: Path):
+    bank = tmp_path / "bank"
+    for step in ("problems", "solutions"):
+        shutil.copytree(chapter_bank().folder / step / "impulse", bank / step / "impulse")
+    set_file = tmp_path / "one.md"
+    set_file.write_text("---\ntitle: One\nproblems: [X12.5]\n---\nOne.\n")
+    words = ["generate", str(set_file), "--bank", str(bank), "--course", str(course)]
+    assert CliRunner().invoke(app, words).exit_code == 0
+    bank.rename(tmp_path / "moved")
+    remedy = doctor()[1]["set one"]["remedy"]
+    done = CliRunner().invoke(app, shlex.split(remedy)[1:])
+    assert done.exit_code == 0, done.stderr
+    assert doctor()[1]["set one"]["state"] == "good"
 
 
 def test_a_plug_in_that_cannot_be_loaded(course: Path, installed):

@@ -146,7 +146,7 @@ def test_a_set_that_was_generated_before_comes_from_the_bank_it_came_from(
             "one problem, not the chapter's five"
         )
     origin = json.loads((tmp_path / "course" / ".corollary" / "origin" / "momentum_1.json").read_text())
-    assert origin["bank"] == str(bank)
+    assert origin["bank"] == ["../bank"]
 
 
 def test_a_problem_that_is_not_translated_is_named_before_sheets_are_dealt(run, tmp_path):

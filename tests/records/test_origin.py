@@ -11,7 +11,7 @@ import pytest
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank
 from corollary.problem.roster import Student
 from corollary.records.files import Course, NotACourse, create_course, open_course
-from corollary.records.origin import set_of, write_origin
+from corollary.records.origin import remember, set_of, write_origin
 
 SET = "---\ntitle: Kicks\nproblems:\n  - X12.5\n---\nKick it.\n"
 
@@ -46,10 +46,59 @@ def test_a_bank_that_has_moved_is_asked_for_and_may_be_named(
     moved = foreign.folder.rename(tmp_path / "moved")
     with pytest.raises(
         UnknownCode,
-        match=r"kicks was generated from the bank .*theirs, which is not there any more; run corollary generate kicks",
+        match=r"kicks was generated from the bank .*theirs, which is not there any more; .* --bank DIR.* remembers it",
     ):
         set_of(course, "kicks")
     assert set_of(course, "kicks", moved)[0].folder == moved
+    assert set_of(course, "kicks")[0].folder == moved
+
+
+@pytest.mark.parametrize("moving", [("course",), ("course", "theirs", "extra.md")])
+def test_a_course_is_found_again_alone_or_with_what_lies_beside_it(
+    course: Course, foreign: Bank, tmp_path: Path, moving: tuple[str, ...]
+) -> None:
+    (tmp_path / "extra.md").write_text(SET)
+    write_origin(course, "extra", foreign, tmp_path / "extra.md")
+    write_origin(course, "kicks", foreign)
+    for place in ("here", "there"):
+        (tmp_path / place).mkdir()
+        for each in moving:
+            shutil.move(tmp_path / each, tmp_path / place / each)
+        moved = open_course(tmp_path / place / "course")
+        beside = tmp_path / place if "theirs" in moving else tmp_path
+        bank, found = set_of(moved, "extra")
+        assert (bank.folder, found.file) == (beside / "theirs", beside / "extra.md")
+        remember(moved, "extra", bank, found.file)
+        assert set_of(moved, "kicks")[0].folder == beside / "theirs"
+        for each in moving:
+            shutil.move(tmp_path / place / each, tmp_path / each)
+
+
+def test_a_bank_and_a_file_are_asked_for_once_for_all_sets(
+    course: Course, foreign: Bank, tmp_path: Path
+) -> None:
+    for name in ("one", "two"):
+        (tmp_path / f"{name}.md").write_text(SET)
+        write_origin(course, name, foreign, tmp_path / f"{name}.md")
+    bank = foreign.folder.rename(tmp_path / "moved")
+    (tmp_path / "sets").mkdir()
+    for name in ("one", "two"):
+        (tmp_path / f"{name}.md").rename(tmp_path / "sets" / f"{name}.md")
+    with pytest.raises(UnknownCode, match="one was generated from the bank"):
+        set_of(course, "one")
+    set_of(course, str(tmp_path / "sets" / "one.md"), bank)
+    for name in ("one", "two"):
+        found = set_of(course, name)
+        assert (found[0].folder, found[1].file) == (bank, tmp_path / "sets" / f"{name}.md")
+
+
+def test_the_courses_setting_stands_in_for_a_bank_that_is_gone(
+    course: Course, foreign: Bank, tmp_path: Path
+) -> None:
+    write_origin(course, "kicks", foreign)
+    foreign.folder.rename(tmp_path / "moved")
+    (course.folder / "corollary.toml").write_text('bank = "../moved"\n')
+    assert set_of(course, "kicks")[0].folder == tmp_path / "moved"
 
 
 def test_a_set_outside_the_bank_is_found_again_by_name_or_by_path(
@@ -148,7 +197,7 @@ def test_a_file_no_longer_known_is_said_and_generating_from_it_records_it(
             file = file.rename(tmp_path / "course" / "extra.md")
         case text:
             record(course, "extra").write_text(text)
-    with pytest.raises((UnknownCode, NotACourse), match=r"corollary generate again.*path/extra\.md"):
+    with pytest.raises((UnknownCode, NotACourse), match=r"path/extra\.md"):
         set_of(course, "extra")
     bank, found = set_of(course, str(file))
     write_origin(course, found.name, bank, found.file)

@@ -235,8 +235,7 @@ command(
     SET,
     path(
         "--roster",
-        text="A CSV file: nbgrader's, Moodle's participants, Canvas's gradebook, or ids alone.",
-        required=True,
+        text="A CSV file: nbgrader's, Moodle's participants, Canvas's gradebook, or ids alone; the course's own when left out.",
     ),
     COURSE,
     *BANK_AND_LANGUAGE,
@@ -294,6 +293,7 @@ command(
     "Extend the deadline of one student, or excuse them.",
     *EXTENDED,
     COURSE,
+    GENERATED_BANK,
     flag("--excuse", "Excuse the student: reports and exports leave the marks blank."),
     flag("--remove", "Remove the extension or the excuse."),
     click.Option(

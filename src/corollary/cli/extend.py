@@ -34,6 +34,7 @@ def run(
     remove: bool,
     listing: bool,
     as_json: bool,
+    bank: Path | None = None,
 ) -> int:
     opened, when = open_course(course), " ".join(date)
     if sum((bool(when), excuse, remove, listing)) != 1:
@@ -41,10 +42,10 @@ def run(
             "give one of: a date (corollary extend ada week1 2026-12-11), --excuse, --remove, or --list to see who has what"
         )
     if listing:
-        return _list(opened, student or "", name or "", as_json)
+        return _list(opened, student or "", name or "", as_json, bank)
     if student is None or name is None:
         refuse("name the student and the problem set, as in: corollary extend ada week1 2026-12-11")
-    _, problem_set = set_of(opened, name)
+    _, problem_set = set_of(opened, name, bank)
     who = find_student(opened, student).id
     if remove:
         found = remove_extension(opened, problem_set.name, who)
@@ -95,7 +96,7 @@ def _until(course: Course, problem_set: ProblemSet, text: str) -> Extension:
     return Extension(found)
 
 
-def _list(course: Course, student: str, name: str, as_json: bool) -> int:
+def _list(course: Course, student: str, name: str, as_json: bool, bank: Path | None) -> int:
     """Who has what. One word alone may be a student or a set."""
     zone = read_settings(course.folder).usual.zone
     rows = [
@@ -112,7 +113,7 @@ def _list(course: Course, student: str, name: str, as_json: bool) -> int:
     if not rows:
         print("nobody has an extension or an excuse")
     for set_name in dict.fromkeys(set_name for _, set_name, _ in rows):
-        due = read_deadlines(course, set_of(course, set_name)[1]).due
+        due = read_deadlines(course, set_of(course, set_name, bank)[1]).due
         if due is not None:
             print(f"everybody else has until {written(due)} for {set_name}")
     return HOLDS

@@ -31,7 +31,7 @@ from corollary.records.settings import read_settings, write_language
 
 def run(
     name: str,
-    roster: Path,
+    roster: Path | None,
     course: Path,
     bank: Path | None,
     as_json: bool,
@@ -172,10 +172,14 @@ def _set(name: str, course: Path, bank: Path | None) -> tuple[Bank, ProblemSet]:
 
 
 def _students(
-    roster: Path, course: Path, id_column: str, yes: bool, as_json: bool
+    roster: Path | None, course: Path, id_column: str, yes: bool, as_json: bool
 ) -> tuple[Student, ...] | None:
     """Who is in the course from now on; None when somebody would no longer be, and nobody agreed to it."""
     before = students_before(course)
+    if roster is None:
+        if not before:
+            refuse("there is no roster yet; name a CSV file of the students with --roster FILE")
+        return tuple(before)
     found = read_roster(roster, id_column, {each.id for each in before}, ids_heading(before))
     for note in found.notes:
         say(note)

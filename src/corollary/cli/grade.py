@@ -19,7 +19,7 @@ from corollary.course.workers import on_cluster
 from corollary.grading.solutions import Solutions
 from corollary.messages import few, visible
 from corollary.records.files import one_writer, open_course, students
-from corollary.records.origin import set_of
+from corollary.records.origin import remember, set_of
 from corollary.records.outside_changes import OutsideChange
 from corollary.records.regrading import Change, PartChange
 from corollary.records.submissions import all_guessed, why_unclear
@@ -44,6 +44,8 @@ def run(
 ) -> int:
     opened = open_course(course)
     place, problem_set = set_of(opened, name, bank)
+    if bank is None and not dry_run and not name.endswith(".md"):
+        remember(opened, problem_set.name, place, problem_set.file)  # the course has moved since
     if reveal:
         reveal_now(opened, problem_set, dry_run)
     warn_of_grading_early(opened, problem_set)

@@ -11,6 +11,7 @@ import tempfile
 from collections.abc import Callable, Iterator
 from importlib.metadata import PackageNotFoundError, distribution, version
 from pathlib import Path
+from shlex import quote
 
 from corollary import user_cache
 from corollary.course.term_archive import archive_findings
@@ -22,7 +23,7 @@ from corollary.problem.bank import UnknownCode, chapter_bank, files, open_bank
 from corollary.problem.dates import machine_zone, zone_named
 from corollary.problem.diagnostic import Finding, Malformed
 from corollary.records.files import Course, NotACourse, at_work, open_course, students
-from corollary.records.origin import set_of
+from corollary.records.origin import bank_near, set_of
 from corollary.records.settings import FILE, Settings, read_settings
 from corollary.version import DISTRIBUTION, full_version
 
@@ -298,8 +299,15 @@ def _banks(course: Course | None, settings: Settings) -> Iterator[Finding]:
         yield found(
             f"set {name}",
             lambda name=name: f"{set_of(course, name)[1].title}, from {set_of(course, name)[0].place}",
-            f"corollary generate {name} --course {course.folder} --roster FILE --bank DIR, DIR being the bank's folder",
+            _bank_named(course, name),
         )
+
+
+def _bank_named(course: Course, name: str) -> str:
+    """The command after which a set is found again; it takes the bank that lies near, where there is one."""
+    near = bank_near(course, name)
+    command = f"corollary generate {quote(name)} --course {quote(str(course.folder))} --bank "
+    return command + (quote(str(near)) if near else "DIR, DIR being the bank's folder")
 
 
 def _plug_ins() -> Iterator[Finding]:

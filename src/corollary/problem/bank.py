@@ -141,6 +141,14 @@ def _folder(name: str) -> Path:
     )
 
 
+def installed_bank(folder: Path) -> str:
+    """The name by which an installed package has the bank in this folder, or `chapter`; empty where it is in none."""
+    if folder.resolve() == chapter_bank().folder.resolve():
+        return CHAPTER
+    found = plug_ins(GROUP, (CHAPTER,)).items()
+    return next((name for name, entry in found if folder.resolve() in _folders_of(entry)), "")
+
+
 def _folders_of(entry: EntryPoint) -> list[Path]:
     """Where a package lies; nowhere, when what an entry point names is not there."""
     try:
