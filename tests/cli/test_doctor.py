@@ -7,7 +7,9 @@ import os
 import shlex
 import shutil
 import sqlite3
-from collections.abc import Callable
+import subprocess
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -122,14 +124,33 @@ def test_a_course_whose_record_is_damaged(
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has other rights")
-def test_a_key_that_others_can_read(course: Path):
-    assert doctor()[1]["key"]["state"] == "good"
-    (course / ".corollary" / "key").chmod(0o644)
-    assert doctor()[1]["key"]["state"] == "good"  # nobody comes that far
-    (course / ".corollary").chmod(0o755)
-    status, found = doctor()
-    assert (status, found["key"]["state"]) == (1, "broken")
-    assert found["key"]["remedy"].startswith("chmod 700 ")
+def test_what_others_can_read_is_named_and_the_advice_closes_it(course: Path):
+    assert doctor()[1]["rights"]["state"] == "good"
+    reports = course / "reports"
+    reports.mkdir()
+    (reports / "week1.html").touch()
+    closed = [each for each in course.parents if not each.stat().st_mode & 0o001]
+    course.chmod(0o755)
+    if closed:  # pytest's own folders: nobody comes that far
+        assert doctor()[1]["rights"]["state"] == "good"
+    with opened_up(closed):
+        status, found = doctor()
+        assert (status, found["rights"]["state"]) == (1, "broken")
+        assert "reports" in found["rights"]["sentence"]
+        assert ".corollary" not in found["rights"]["sentence"]
+        subprocess.run(found["rights"]["remedy"], shell=True, check=True)
+        assert doctor()[1]["rights"]["state"] == "good"
+    assert {path.stat().st_mode & 0o077 for path in course.rglob("*")} == {0}
+
+
+@contextmanager
+def opened_up(folders: list[Path]) -> Iterator[None]:
+    before = {each: each.stat().st_mode & 0o777 for each in folders}
+    for each in folders:
+        each.chmod(0o711)
+    yield
+    for each, mode in before.items():
+        each.chmod(mode)
 
 
 def test_a_folder_that_cannot_be_written_in(course: Path, monkeypatch):

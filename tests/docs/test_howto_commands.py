@@ -60,6 +60,7 @@ ELSEWHERE = {
     "howto/audit_an_answer_key.md",
     "howto/add_an_answer_type.md",
     "howto/write_in_the_browser.md",
+    "howto/share_a_course.md",
 }  # tests of their own
 NOT_RUN = {
     r"--reveal": "needs a set with `reveal: by hand` (tests/cli)",

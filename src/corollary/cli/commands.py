@@ -376,6 +376,13 @@ command(
     JSON,
 )
 command(
+    "share",
+    "Give a teaching team's group all rights in a course, and nobody else.",
+    click.Option(["--group"], required=True, help="The team's group of accounts."),
+    COURSE,
+    JSON,
+)
+command(
     "doctor",
     "Check this machine and this course: versions, isolation, nbgrader, disk, time zone.",
     path("--course", text="A course to look at; the one around the working folder when left out."),

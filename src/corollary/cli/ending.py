@@ -76,6 +76,7 @@ RAISED = {
     "corollary.course.grade": ["NotGenerated"],
     "corollary.course.lms_places": ["NoPlaces"],
     "corollary.course.release": ["NoSheets"],
+    "corollary.course.sharing": ["NotShareable"],
     "corollary.course.renew": ["OneFolder"],
     "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "GradebookUnusable", "NotRegistered"],
     "corollary.nbgrader.hand_marking": ["NotMarkable"],

@@ -34,6 +34,7 @@ def completed(options: Mapping[str, Any], *, course_needed: bool, any_bank: bool
         refuse(
             "the working folder is not in a course; name the course with --course, or change into its folder"
         )
+    _write_for_the_team(folder)
     settings = _settings(folder)
     if wanted:
         _speak(wanted)
@@ -45,6 +46,14 @@ def completed(options: Mapping[str, Any], *, course_needed: bool, any_bank: bool
     if any_bank and "bank" in settings and not found["bank"] and not os.environ.get(BANK):
         found["bank"] = [settings["bank"]]
     return found
+
+
+def _write_for_the_team(folder: Path | None) -> None:
+    """In a course that a group shares, all that this process makes is for the group, and for nobody else."""
+    from corollary.atomic import is_shared
+
+    if folder is not None and os.name != "nt" and folder.is_dir() and is_shared(folder):
+        os.umask(0o007)
 
 
 def _settings(folder: Path | None) -> dict[str, Any]:

@@ -2,23 +2,35 @@
 
 from __future__ import annotations
 
+import io
 import json
+import os
+import re
 import secrets
+import shutil
+import socket
+import sys
+import tempfile
 import webbrowser
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Generator
+from contextlib import contextmanager, suppress
 from contextvars import copy_context
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from threading import Lock
-from typing import Any, cast
+from threading import BoundedSemaphore, Lock
+from time import monotonic
+from typing import Any, Final, cast
 
 from corollary.cli.ending import say
 from corollary.problem.bank import Bank
 from corollary.problem.packed_pictures import pictures_of
 
 MOST_BYTES = 1 << 20
+MOST_SECONDS: Final = 20.0  # for a request to come in, and as much for its answer to be taken
+MOST_AT_A_TIME: Final = 32
+POLICY = re.compile(r'<meta http-equiv="Content-Security-Policy" content="([^"]*)">')
+NOTHING = "default-src 'none'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"
 
 
 class OnePageServer(ThreadingHTTPServer):
@@ -30,6 +42,7 @@ class OnePageServer(ThreadingHTTPServer):
     """
 
     daemon_threads = True
+    seconds = MOST_SECONDS
 
     def __init__(
         self,
@@ -43,21 +56,67 @@ class OnePageServer(ThreadingHTTPServer):
         self.token = secrets.token_urlsafe(24)
         self.one_at_a_time = Lock()
         self.context = copy_context()  # a request's own thread would speak English
+        self.places = BoundedSemaphore(MOST_AT_A_TIME)
 
     @property
     def address(self) -> str:
         """What to open."""
         return f"http://127.0.0.1:{self.server_port}/{self.token}/"
 
+    def process_request(self, request: Any, client_address: Any) -> None:
+        """Refuse a connection beyond the most at a time: each has a thread."""
+        if self.places.acquire(blocking=False):
+            super().process_request(request, client_address)
+        else:
+            self.shutdown_request(request)
+
+    def process_request_thread(self, request: Any, client_address: Any) -> None:
+        try:
+            super().process_request_thread(request, client_address)
+        finally:
+            self.places.release()
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """A client that has left, or is too slow, is nobody's error."""
+        error = sys.exception()
+        if not isinstance(error, OSError):
+            say(f"a request to the page failed: {type(error).__name__}: {error}")
+
+
+class _InTime(io.RawIOBase):
+    """What a client sends, with one limit of time for all of it: a byte now and then would hold a thread for ever."""
+
+    def __init__(self, connection: socket.socket, seconds: float) -> None:
+        self.connection, self.until = connection, monotonic() + seconds
+
+    def readable(self) -> bool:
+        return True
+
+    def readinto(self, buffer: Any, /) -> int:
+        left = self.until - monotonic()
+        if left <= 0:
+            raise TimeoutError
+        self.connection.settimeout(left)
+        return self.connection.recv_into(buffer)
+
 
 class _Handler(BaseHTTPRequestHandler):
     server: OnePageServer  # pyright: ignore[reportIncompatibleVariableOverride]
 
+    def setup(self) -> None:
+        super().setup()
+        self.rfile.close()
+        self.rfile = io.BufferedReader(_InTime(self.connection, self.server.seconds))
+
     def do_GET(self) -> None:
         if self._is_meant() and self.path.partition("?")[0] == f"/{self.server.token}/":
-            with self.server.one_at_a_time:
-                text = self.server.context.run(self.server.page)
-            self._answer(HTTPStatus.OK, text, "text/html")
+            try:
+                with self.server.one_at_a_time:
+                    text = self.server.context.run(self.server.page)
+            except Exception as error:  # the course is being changed: the next request may find it whole
+                self._answer(HTTPStatus.INTERNAL_SERVER_ERROR, str(error))
+            else:
+                self._answer(HTTPStatus.OK, text, "text/html")
         elif self._is_meant() and self.path == f"/{self.server.token}/edition":
             self._answer(HTTPStatus.OK, self.server.edition())
         else:
@@ -72,8 +131,11 @@ class _Handler(BaseHTTPRequestHandler):
             return self._answer(HTTPStatus.FORBIDDEN, "only this page may send")
         if not size.isdigit() or int(size) > MOST_BYTES:
             return self._answer(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, "too long")
+        content = self.rfile.read(int(size))
+        if len(content) < int(size):
+            raise ConnectionAbortedError  # it has left in the middle
         try:
-            posted: object = json.loads(self.rfile.read(int(size)))
+            posted: object = json.loads(content)
             if not isinstance(posted, dict):
                 raise ValueError("the request must be a JSON object")
             with self.server.one_at_a_time:
@@ -107,10 +169,18 @@ class _Handler(BaseHTTPRequestHandler):
             "X-Content-Type-Options": "nosniff",
             "X-Frame-Options": "DENY",
             "Referrer-Policy": "no-referrer",
+            "Content-Security-Policy": _policy(text if kind == "text/html" else ""),
         }.items():
             self.send_header(name, value)
         self.end_headers()
+        self.connection.settimeout(self.server.seconds)
         self.wfile.write(content)
+
+
+def _policy(page: str) -> str:
+    """The page's own policy for content, and that no other page frames it, which only a header can say."""
+    own = POLICY.search(page)
+    return f"{own[1].replace('&#39;', chr(39))}; frame-ancestors 'none'" if own else NOTHING
 
 
 def edition(bank: Bank, path: Path) -> str:
@@ -131,10 +201,46 @@ def edition(bank: Bank, path: Path) -> str:
 
 def serve(server: OnePageServer, what: str, no_browser: bool) -> None:
     """`what` is said of the page behind its address; the server is closed at the end."""
-    with server:
+    with server, _file_to_open(server.address) as file:
         print(server.address, flush=True)
         say(f"this address is private; {what}")
         if not no_browser:
-            webbrowser.open(server.address)
+            webbrowser.open(file)
         with suppress(KeyboardInterrupt):
             server.serve_forever()
+
+
+@contextmanager
+def _file_to_open(address: str) -> Generator[str]:
+    """The address of a file that leads to the page, for its owner alone.
+
+    The words of a running browser's command line can be read by every account of the machine: the page's secret must not be
+    among them.
+    """
+    if _is_windows_subsystem():  # Windows' browser does not find the file
+        yield address
+        return
+    folder = Path(tempfile.mkdtemp(prefix="corollary-page-", dir=_where_browsers_read()))
+    try:
+        file = folder / "open.html"
+        file.touch(mode=0o600)
+        file.write_text(
+            '<!DOCTYPE html><meta charset="utf-8"><meta name="referrer" content="no-referrer">'
+            f'<meta http-equiv="refresh" content="0; url={address}"><title>Corollary</title>',
+            encoding="utf-8",
+        )
+        yield file.as_uri()
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _where_browsers_read() -> Path | None:
+    """The home folder where browsers come as snaps, which see no other temporary files than their own; else the usual place."""
+    home = Path.home()
+    return home if Path("/snap/bin").is_dir() and home.is_dir() and os.access(home, os.W_OK) else None
+
+
+def _is_windows_subsystem() -> bool:
+    with suppress(OSError):
+        return "microsoft" in Path("/proc/sys/kernel/osrelease").read_text(encoding="utf-8").lower()
+    return False

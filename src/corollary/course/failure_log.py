@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TypeVar
 
+from corollary.atomic import open_to_append
 from corollary.guard import Failure, guarded
 from corollary.records.files import Course
 from corollary.records.submissions import writable
@@ -53,14 +53,12 @@ class FailureLog:
         return done
 
     def write(self) -> None:
-        """Appends them to the course's file, which nobody but its owner can read: a message may quote an answer."""
+        """Appends them to the course's file, which nobody but its owner and a team can read: a message may quote an answer."""
         if not self.found:
             return
         now = f"{datetime.now(UTC):%Y-%m-%d %H:%M:%S} UTC"
         text = "".join(_entries(now, self.found))
-        self.place.parent.mkdir(parents=True, exist_ok=True)
-        descriptor = os.open(self.place, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o600)
-        with open(descriptor, "a", encoding="utf-8") as file:
+        with open(open_to_append(self.place, 0o600), "a", encoding="utf-8") as file:
             file.write(text)
 
 

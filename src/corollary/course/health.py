@@ -14,6 +14,7 @@ from pathlib import Path
 from shlex import quote
 
 from corollary import user_cache
+from corollary.course.sharing import rights_findings
 from corollary.course.term_archive import archive_findings
 from corollary.extras import installing
 from corollary.nbgrader.nbgrader_health import nbgrader_findings
@@ -27,7 +28,6 @@ from corollary.records.origin import bank_near, set_of
 from corollary.records.settings import FILE, Settings, read_settings
 from corollary.version import DISTRIBUTION, full_version
 
-FOR_OTHERS, TO_ENTER = 0o044, 0o011  # bits by which others read a file, and enter a folder
 NAMESAKE = "corollary"  # on PyPI: another project, whose module has our name
 WRITTEN_IN = ("", ".corollary", "submitted", "autograded", "feedback", "reports")
 
@@ -58,7 +58,11 @@ def of_course(folder: Path) -> tuple[Course | None, Settings, list[Finding]]:
             else "name the course with --course, or generate a set"
         )
         return None, settings, [*found, Finding("course", "broken", str(error), remedy)]
-    return course, settings, [*found, _roster(course), *_rights(course.folder), *_work(course)]
+    return (
+        course,
+        settings,
+        [*found, _roster(course), *rights_findings(course), *_writable(course.folder), *_work(course)],
+    )
 
 
 def _roster(course: Course) -> Finding:
@@ -74,19 +78,8 @@ def _roster(course: Course) -> Finding:
     return Finding("course", "good", f"{course.folder}, {count} on the roster")
 
 
-def _rights(folder: Path) -> Iterator[Finding]:
-    """Who may read the key, and whether we may write."""
-    secret = folder / ".corollary"
-    if os.name != "nt":
-        if secret.stat().st_mode & TO_ENTER and (secret / "key").stat().st_mode & FOR_OTHERS:
-            yield Finding(
-                "key",
-                "broken",
-                f"other users can read {secret / 'key'}, and with it every answer",
-                f"chmod 700 {secret} && chmod 600 {secret / 'key'}",
-            )
-        else:
-            yield Finding("key", "good", "only you can read it")
+def _writable(folder: Path) -> Iterator[Finding]:
+    """Whether we may write."""
     for name in WRITTEN_IN:
         place = folder / name
         if place.is_dir() and not os.access(place, os.R_OK | os.W_OK | os.X_OK):

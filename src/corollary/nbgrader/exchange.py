@@ -28,7 +28,7 @@ from nbgrader.exchange.default import (
 )
 from nbgrader.utils import get_username
 
-from corollary.atomic import write_whole
+from corollary.atomic import umask_of, write_whole
 from corollary.guard import Failure, guarded
 from corollary.messages import few
 from corollary.nbgrader.gradebook import directory, need_nbgrader, programs_on_path
@@ -192,11 +192,13 @@ class CollectFromEach(ExchangeCollect):
                 self._leave_out(each["username"], each["filename"], fault)
             else:
                 to_collect.append(each)
+        root = Path(str(cast(CourseDirectory, self.coursedir).root))
         for each in to_collect:
             self.src_records = [each]
-            before = self._notebooks(each["username"])
-            done = guarded(super().copy_files)
-            self._same_time(each["username"], before)
+            with umask_of(root):
+                before = self._notebooks(each["username"])
+                done = guarded(super().copy_files)
+                self._same_time(each["username"], before)
             if isinstance(done, Failure):  # such as a timestamp.txt that holds no time, with --update
                 self._leave_out(each["username"], each["filename"], done.what)
         self.src_records = to_collect

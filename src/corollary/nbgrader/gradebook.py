@@ -12,6 +12,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from corollary.atomic import rights_in
 from corollary.extras import installing
 from corollary.nbgrader.config import broken
 from corollary.records.files import Course
@@ -145,6 +146,7 @@ def _new(course: Course, place: CourseDirectory) -> None:
             book, read_manual(course).count
         )  # its rows are filled with what persons gave as they are made
         book.db.commit()
+    os.chmod(draft, rights_in(course.folder, 0o644))  # SQLite gives its journal the same
     os.replace(draft, course.gradebook)
 
 

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
     from corollary.problem.problem import Problem
 
+MOST_LOOKED_AT = 200
 GROUP, VARIABLE, CHAPTER = "corollary.banks", "COROLLARY_BANK", "chapter"
 CODE_LINE = re.compile(r"""^code:[ \t]*["']?([\w.]+)["']?[ \t]*(?:#.*)?$""", re.MULTILINE)
 
@@ -318,6 +320,16 @@ def bank_around(name: str) -> Bank | None:
     folders = (each.parent for each in above if each.name == "problems")
     found = next((folder for folder in folders if (folder / "solutions").is_dir()), None)
     return None if found is None else open_bank(found)
+
+
+def banks_below(place: Path) -> list[Bank]:
+    """The banks that lie one or two folders below a place, of which the first so many are looked at."""
+    found = {
+        each.parent.resolve()
+        for pattern in ("*/problems", "*/*/problems")
+        for each in islice(place.glob(pattern), MOST_LOOKED_AT)
+    }
+    return [Bank(folder) for folder in sorted(found) if (folder / "solutions").is_dir()]
 
 
 def _bank_above(path: Path) -> Bank:

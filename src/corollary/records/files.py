@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
-from corollary.atomic import write_whole
+from corollary.atomic import make_folders, write_whole
 from corollary.messages import did_you_mean, few
 from corollary.problem.csv_table import read_table
 from corollary.problem.diagnostic import Malformed
@@ -21,6 +21,7 @@ from corollary.problem.roster import COLUMNS, Student
 from corollary.records.lms_names import Directory
 
 KEY_BYTES = 32
+SET_UP_BEFORE = {"corollary.toml", "nbgrader_config.py"}  # beside which nobody else's work lies in the folder
 # What nbgrader puts beside a notebook that was handed in.
 BESIDE = {"timestamp.txt", "submission_secret.txt"}
 PARTITIONS = ("section", "group")  # columns of the roster's copy where the roster had such
@@ -68,13 +69,19 @@ class Course:
 
 
 def create_course(folder: Path, roster: Iterable[Student]) -> Course:
-    """A course in this folder, with this roster. A course that is there already keeps its key and its assigned numbers.
+    """A course in this folder, with this roster. A course that is there already keeps its key and its assigned numbers; a new
+    folder is its owner's alone.
 
     Raises NotACourse when the key of an existing one is damaged.
     """
     folder = folder.resolve()
     secret = folder / ".corollary"
-    secret.mkdir(mode=0o700, parents=True, exist_ok=True)
+    if not folder.exists():
+        make_folders(folder.parent)
+        folder.mkdir(mode=0o700)
+    elif not secret.exists() and {each.name for each in folder.iterdir()} <= SET_UP_BEFORE:
+        folder.chmod(0o700)
+    secret.mkdir(mode=0o700, exist_ok=True)
     if not (secret / "key").exists():
         write_whole(secret / "key", secrets.token_bytes(KEY_BYTES), mode=0o600)
     write_whole(secret / "roster.csv", roster_table(roster))

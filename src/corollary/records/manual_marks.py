@@ -12,6 +12,7 @@ from typing import Any
 
 import msgspec
 
+from corollary.atomic import open_to_append
 from corollary.records.files import Course
 
 
@@ -20,11 +21,10 @@ def append(path: Path, entries: Iterable[object]) -> None:
     lines = [msgspec.json.encode(entry) + b"\n" for entry in entries]
     if not lines:
         return
-    path.parent.mkdir(parents=True, exist_ok=True)
     last = last_lines(path, 1)
     # A line that was cut short has no end: the new one must not be glued to it.
     torn = b"" if not last or last[-1].endswith(b"\n") else b"\n"
-    with path.open("ab", buffering=0) as file:
+    with open(open_to_append(path), "ab", buffering=0) as file:
         file.write(torn + b"".join(lines))
         os.fsync(file.fileno())
 

@@ -9,9 +9,7 @@ import json
 import os
 from contextlib import suppress
 from dataclasses import dataclass
-from itertools import islice
 from pathlib import Path, PurePosixPath
-from typing import Final
 
 from corollary.atomic import write_whole
 from corollary.messages import did_you_mean
@@ -20,6 +18,7 @@ from corollary.problem.bank import (
     Bank,
     UnknownCode,
     bank_around,
+    banks_below,
     chapter_bank,
     codes,
     home,
@@ -32,11 +31,9 @@ from corollary.problem.problem_set import ProblemSet, file_of_set, find_set, set
 from corollary.records.files import Course, NotACourse
 from corollary.records.settings import read_settings
 
-MOST_LOOKED_AT: Final = 200  # folders around a course, where a bank that has moved may lie
-
 
 @dataclass(frozen=True, slots=True)
-class Origin:
+class SetOrigin:
     """Where a set came from: its banks as names, and its file, seen from the course; `course` is where the course then lay.
 
     A name of a bank is that of an installed package, or a path that begins with `./` or `../`, or on another drive a whole one.
@@ -59,10 +56,10 @@ def write_origin(course: Course, set_name: str, bank: Bank, file: Path | None = 
     """
     banks = None if _is_chapters(bank) else [_name_of(course, each.folder) for each in bank.each]
     place = None if file is None else _place_of(course, set_name, bank, file)
-    _write(course, set_name, Origin(None if banks is None else tuple(banks), place, course.folder))
+    _write(course, set_name, SetOrigin(None if banks is None else tuple(banks), place, course.folder))
 
 
-def _write(course: Course, set_name: str, origin: Origin) -> None:
+def _write(course: Course, set_name: str, origin: SetOrigin) -> None:
     record = {"bank": origin.banks, "set": origin.file, "course": str(origin.course)}
     write_whole(_origin(course, set_name), json.dumps(record) + "\n")
 
@@ -114,7 +111,7 @@ def remember(course: Course, set_name: str, bank: Bank, file: Path | None) -> No
                     _write(course, path.stem, moved)
 
 
-def _is_current(course: Course, origin: Origin, bank: Bank, file: Path | None, set_name: str) -> bool:
+def _is_current(course: Course, origin: SetOrigin, bank: Bank, file: Path | None, set_name: str) -> bool:
     """True if the record leads to this bank and file, from where the course lies now."""
     if origin.course != course.folder:
         return False
@@ -122,7 +119,7 @@ def _is_current(course: Course, origin: Origin, bank: Bank, file: Path | None, s
     return origin.banks == banks and origin.file == (file and _place_of(course, set_name, bank, file))
 
 
-def _moved_alike(course: Course, other: Origin, before: Origin, after: Origin) -> Origin:
+def _moved_alike(course: Course, other: SetOrigin, before: SetOrigin, after: SetOrigin) -> SetOrigin:
     """The record of another set, seen from where the course lies now: its bank, or its file's folder, may be the one that moved."""
     banks, file = other.banks, other.file
     if banks is not None:
@@ -135,10 +132,10 @@ def _moved_alike(course: Course, other: Origin, before: Origin, after: Origin) -
         lost = _file(course, other) is None
         is_there = same and after.file is not None and (course.folder / moved).is_file()
         file = str(moved) if lost and is_there else _rebased(course, other, file, folder=False)
-    return Origin(banks, file, course.folder)
+    return SetOrigin(banks, file, course.folder)
 
 
-def _rebased(course: Course, origin: Origin, name: str, *, folder: bool = True) -> str:
+def _rebased(course: Course, origin: SetOrigin, name: str, *, folder: bool = True) -> str:
     """A recorded path, seen from where the course lies now; it stays that of the old place where it is found in neither."""
     if folder and not (name.startswith(".") or Path(name).is_absolute()):
         return name
@@ -309,7 +306,7 @@ def _unknown(course: Course, set_name: str, bank: Bank, here: list[str]) -> Unkn
     )
 
 
-def _record(course: Course, set_name: str) -> Origin:
+def _record(course: Course, set_name: str) -> SetOrigin:
     """The record of a set; banks None: the chapter's. Raises NotACourse."""
     try:
         record = json.loads(_origin(course, set_name).read_text(encoding="utf-8"))
@@ -317,20 +314,20 @@ def _record(course: Course, set_name: str) -> Origin:
         if isinstance(banks, str):  # one text, before places were relative
             banks = banks.split(os.pathsep)
         then = Path(record.get("course") or course.folder)
-        return Origin(None if banks is None else tuple(map(str, banks)), file and str(file), then)
+        return SetOrigin(None if banks is None else tuple(map(str, banks)), file and str(file), then)
     except (OSError, ValueError, TypeError, KeyError, AttributeError):
         raise NotACourse(
             f"{course.folder} does not say which bank {set_name} comes from; {_generate_again(set_name)}"
         ) from None
 
 
-def _file(course: Course, origin: Origin) -> Path | None:
+def _file(course: Course, origin: SetOrigin) -> Path | None:
     """The set's own file, where it is found."""
     places = [] if origin.file is None else origin.places_of(origin.file, course.folder)
     return next((place for place in places if place.is_file()), None)
 
 
-def _folders(course: Course, origin: Origin) -> Path | None:
+def _folders(course: Course, origin: SetOrigin) -> Path | None:
     """The recorded banks as `open_bank` takes them; None where one of them is not found."""
     found: list[str] = []
     for name in origin.banks or ():
@@ -345,7 +342,7 @@ def _folders(course: Course, origin: Origin) -> Path | None:
     return Path(os.pathsep.join(found))
 
 
-def _beside_bank(origin: Origin, bank: Bank) -> Path | None:
+def _beside_bank(origin: SetOrigin, bank: Bank) -> Path | None:
     """The set's file where it lies to this bank as it lay to its own: both have moved together."""
     if origin.file is None or not origin.banks or not origin.banks[0].startswith("."):
         return None
@@ -373,7 +370,7 @@ def _recorded(course: Course, set_name: str) -> tuple[Bank, Path | None]:
     return bank, file
 
 
-def _bank_has_moved(course: Course, set_name: str, origin: Origin) -> str:
+def _bank_has_moved(course: Course, set_name: str, origin: SetOrigin) -> str:
     places = [
         each if not each.startswith(".") else str(origin.places_of(each, course.folder)[1])
         for each in origin.banks or ()
@@ -387,22 +384,17 @@ def _bank_has_moved(course: Course, set_name: str, origin: Origin) -> str:
 
 
 def bank_near(course: Course, set_name: str) -> Path | None:
-    """The one bank in the folders around the course that has every problem of a set; None where there is none, or several."""
+    """The one bank near the course, the nearest first, that has every problem of a set; None where there is none, or several."""
     from corollary.records.assignments import read_numbers  # only where a bank is lost
 
     with suppress(NotACourse, OSError):
         record = read_numbers(course, set_name)
         wanted = {edition.code_now.lower() for edition in record.editions} if record else set[str]()
-        around = (course.folder, *course.folder.parents[:2])
-        found = (
-            each.parent.resolve()
-            for place in around
-            for pattern in ("*/problems", "*/*/problems")
-            for each in islice(place.glob(pattern), MOST_LOOKED_AT)
-        )
-        banks = [Bank(folder) for folder in sorted(set(found)) if (folder / "solutions").is_dir()]
-        having = [bank for bank in banks if wanted <= {code.lower() for code in codes(bank).values()}]
-        return having[0].folder if wanted and len(having) == 1 else None
+        for place in (course.folder, *course.folder.parents[:2]) if wanted else ():
+            banks = banks_below(place)
+            having = [bank for bank in banks if wanted <= {code.lower() for code in codes(bank).values()}]
+            if having:
+                return having[0].folder if len(having) == 1 else None
     return None
 
 
