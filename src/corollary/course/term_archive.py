@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from datetime import UTC, date, datetime
 from pathlib import Path
 
+from corollary.atomic import rights_in
 from corollary.problem.diagnostic import Finding
 from corollary.records.assignments import sets_with_numbers
 from corollary.records.files import Course
@@ -23,7 +24,7 @@ LOCK = (".corollary", "lock")
 def write_archive(
     course: Course, until: date, place: Path, progress: Callable[[str], None] = lambda name: None
 ) -> int:
-    """Writes the archive whole or not at all, readable for its owner alone; returns how many files are in it. Raises OSError."""
+    """Writes the archive whole or not at all, readable for its owner alone, and in a shared course for the team; returns how many files are in it. Raises OSError."""
     place.parent.mkdir(parents=True, exist_ok=True)
     handle, draft = tempfile.mkstemp(dir=place.parent, prefix=f".{place.name}.")
     os.close(handle)
@@ -35,7 +36,7 @@ def write_archive(
                 progress(name)
                 archive.write(path, f"{course.name}/{name}")
                 count += 1
-        os.chmod(draft, 0o600)
+        os.chmod(draft, rights_in(place.parent, 0o600))
         os.replace(draft, place)
     except BaseException:
         Path(draft).unlink(missing_ok=True)
