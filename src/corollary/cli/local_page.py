@@ -236,8 +236,8 @@ def _file_to_open(address: str) -> Generator[str]:
 
 def _where_browsers_read() -> Path | None:
     """The home folder where browsers come as snaps, which see no other temporary files than their own; else the usual place."""
-    home = Path.home()
-    return home if Path("/snap/bin").is_dir() and home.is_dir() and os.access(home, os.W_OK) else None
+    home = Path(os.path.expanduser("~"))
+    return home if Path("/snap/bin").is_dir() and os.access(home, os.W_OK) else None
 
 
 def _is_windows_subsystem() -> bool:
