@@ -202,6 +202,27 @@ def test_what_somebody_else_wrote_is_named_and_not_changed(course: Path) -> None
     assert sheet.read_bytes() == before
 
 
+def test_what_lies_in_the_exchange_goes_too(course: Path, tmp_path: Path) -> None:
+    """Feedback lies there under a name that says nothing: it is known by being the student's page."""
+    exchange = tmp_path / "exchange" / "mech"
+    with (course / "nbgrader_config.py").open("a") as config:
+        config.write(f"c.Exchange.root = {str(exchange.parent)!r}\n")
+    for student in ("adal7", "benb8"):
+        for place in (f"inbound/{student}+one+2026-12-01 10:00:00 UTC", f"outbound/one/{student}"):
+            (exchange / place).mkdir(parents=True)
+            (exchange / place / "one.ipynb").write_text("{}")
+        page = exchange / "feedback" / "one" / f"{'0123' if student == 'adal7' else '4567'}.html"
+        page.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(course / "feedback" / student / "one" / "one.html", page)
+    run("forget", "adal7", "--course", course, "--yes")
+    left = {path.relative_to(exchange).as_posix() for path in exchange.rglob("*") if path.is_file()}
+    assert left == {
+        "inbound/benb8+one+2026-12-01 10:00:00 UTC/one.ipynb",
+        "outbound/one/benb8/one.ipynb",
+        "feedback/one/4567.html",
+    }
+
+
 def test_a_students_data_as_an_archive(course: Path, tmp_path: Path) -> None:
     run("export", "--person", "adal7", "--course", course, "-o", tmp_path / "ada.zip")
     with zipfile.ZipFile(tmp_path / "ada.zip") as archive:

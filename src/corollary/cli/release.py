@@ -5,12 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from corollary.atomic import write_files
-from corollary.cli.ending import FAILS, HOLDS, answer, say
-from corollary.cli.told_dates import warn_of_dates
+from corollary.cli.ending import FAILS, HOLDS, MOST_LISTED, answer, say
+from corollary.cli.told_dates import warn_of_dates, with_name
 from corollary.course.release import release, sheets_of
 from corollary.messages import few
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.files import Course, open_course
+from corollary.records.files import Course, open_course, students
 from corollary.records.origin import set_of
 
 NEXT = {
@@ -38,9 +38,10 @@ def run(
     made = release(opened, problem_set, to, ids)
     folder = output or opened.folder / "given_out" / f"{problem_set.name}-{to}"
     written = write_files(folder, made.files)
+    names = {each.id: with_name(each) for each in students(opened)}
     for why in dict.fromkeys(made.without.values()):
-        who = [student for student, reason in made.without.items() if reason == why]
-        say(f"no file for {few(who)}: {why}")
+        who = [names.get(student, student) for student, reason in made.without.items() if reason == why]
+        say(f"no file for {few(who, MOST_LISTED)}: {why}")
     if as_json:
         answer(
             {"set": problem_set.name, "to": to, "files": [str(path) for path in written],
@@ -58,7 +59,7 @@ def _exchange(course: Course, problem_set: ProblemSet, force: bool, as_json: boo
     """By nbgrader's own command, in this process."""
     from corollary.nbgrader.exchange import release_in_exchange
 
-    students = sheets_of(course, problem_set)
+    sheets = sheets_of(course, problem_set)
     why = release_in_exchange(course, problem_set.name, force)
     if as_json:
         answer(
@@ -66,7 +67,7 @@ def _exchange(course: Course, problem_set: ProblemSet, force: bool, as_json: boo
                 "set": problem_set.name,
                 "to": "exchange",
                 "files": [],
-                "students": [] if why else list(students),
+                "students": [] if why else list(sheets),
                 "without": {},
             }
         )
@@ -74,5 +75,5 @@ def _exchange(course: Course, problem_set: ProblemSet, force: bool, as_json: boo
         say(f"corollary: {why}")
         return FAILS
     if not as_json:
-        print(f"{problem_set.title}: own sheets of {len(students)} students in nbgrader's exchange")
+        print(f"{problem_set.title}: own sheets of {len(sheets)} students in nbgrader's exchange")
     return HOLDS

@@ -7,6 +7,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Collection
 from contextlib import suppress
+from glob import escape
 from pathlib import Path
 
 from corollary.nbgrader.gradebook import directory, has_nbgrader
@@ -29,8 +30,8 @@ def exchange_places(course: Course, student: str, pages: Collection[str]) -> lis
     root = Path(str(Exchange(coursedir=coursedir, config=coursedir.config).root)) / name
     found: list[Path] = []
     with suppress(OSError):  # it is not there, or not open to this account
-        found += sorted(root.glob(f"inbound/{student}+*"))
-        found += sorted(root.glob(f"outbound/*/{student}"))
+        found += sorted(root.glob(f"inbound/{escape(student)}+*"))
+        found += sorted(root.glob(f"outbound/*/{escape(student)}"))
         for page in root.glob("feedback/*/*.html"):
             if hashlib.sha256(page.read_bytes()).hexdigest() in pages:
                 found.append(page)
