@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from corollary.course.regrade_evidence import evidence_html, explained
+from corollary.course.wrong_answers import DrawnKeys
 from corollary.derive.worked_solution import model_answer
 from corollary.formula.ball import Undefined
 from corollary.formula.latex import letter, letters_printed
@@ -70,6 +71,7 @@ class MarkPage:
     only: Collection[str] | None = None
     cards: dict[str, AnswerCard] = field(default_factory=dict[str, AnswerCard])
     parts: dict[str, PartToMark] = field(default_factory=dict[str, PartToMark])
+    keys: dict[str, DrawnKeys] = field(default_factory=dict[str, DrawnKeys])
 
     @cached_property
     def names(self) -> Mapping[str, str]:
@@ -148,7 +150,12 @@ class MarkPage:
         seen = {(student, card.part.key): token for student, token in card.seen.items()}
         if posted.get("others") and card.group.request is not None:
             others = explained(
-                self.course, self.problem_set, self.solutions, card.group.students[0], card.part.key
+                self.course,
+                self.problem_set,
+                self.solutions,
+                card.group.students[0],
+                card.part.key,
+                self.keys,
             ).others
             marks |= {(each.student, card.part.key): mark for each in others}
         try:
@@ -234,7 +241,9 @@ class MarkPage:
         student = card.group.students[0]
         if posted.get("what") == "evidence":
             found = guarded(
-                lambda: explained(self.course, self.problem_set, self.solutions, student, card.part.key),
+                lambda: explained(
+                    self.course, self.problem_set, self.solutions, student, card.part.key, self.keys
+                ),
                 LONGEST_LOOK,
             )
             if isinstance(found, Failure):

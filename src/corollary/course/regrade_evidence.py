@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from markupsafe import Markup, escape
 
-from corollary.course.wrong_answers import drawn_keys, letters_of, parts_of
+from corollary.course.wrong_answers import DrawnKeys, drawn_keys, letters_of, parts_of
 from corollary.grading.solutions import Solutions
 from corollary.grading.unlisted_rules import UnlistedRule
 from corollary.nbgrader.hand_marking import part_named
@@ -47,22 +47,33 @@ class Evidence:
 
 
 def explained(
-    course: Course, problem_set: ProblemSet, solutions: Solutions, student: str, part: str
+    course: Course,
+    problem_set: ProblemSet,
+    solutions: Solutions,
+    student: str,
+    part: str,
+    keys: dict[str, DrawnKeys] | None = None,
 ) -> Evidence:
-    """What there is on one student's answer to a part, named as in the notebook. Raises NotMarkable, NotACourse, NotDerivable."""
+    """What there is on one student's answer to a part, named as in the notebook. `keys` keeps those of each problem for the next
+    look: they are what takes long. Raises NotMarkable, NotACourse, NotDerivable."""
     records = _records(course, problem_set)
     record = records[student]
     part = part_named(problem_set, part, record)
     entry = record.parts[part]
     row = dict(zip(record.parts, record.rows, strict=True))[part]
     found = Evidence(student, entry.answer, row.verdict, entry.points, entry.out_of)
-    keys = drawn_keys(course, problem_set, solutions, records.keys(), lambda name: None)
-    own = keys.get((student, row.problem))
+    by_problem = {} if keys is None else keys
+    if row.problem not in by_problem:
+        by_problem[row.problem] = drawn_keys(
+            course, problem_set, solutions, records.keys(), lambda name: None, row.problem
+        )
+    drawn_here = by_problem[row.problem]
+    own = drawn_here.get((student, row.problem))
     if own is None:
         return found
     drawn = [
         letters
-        for (name, code), key in keys.items()
+        for (name, code), key in drawn_here.items()
         if code == row.problem and key.solution is own.solution
         for letters in (
             letters_of(name, key, parts_of(records[name], code), problem_set, row.part).get(row.part),

@@ -33,13 +33,16 @@ def drawn_keys(
     solutions: Solutions,
     students: Collection[str],
     done: Callable[[str], None],
+    code: str = "",
 ) -> DrawnKeys:
-    """`done` is told the id of each student. Raises NotACourse, NotSettled and NotDerivable."""
+    """`done` is told the id of each student; `code` names the one problem of which the keys are wanted. Raises NotACourse, NotSettled and NotDerivable."""
     found: dict[tuple[str, str], Key] = {}
     for student, sheet in read_assigned(course, problem_set).items():
         if student not in students:
             continue
         for variant in sheet.variants:
+            if code not in ("", variant.problem.code):
+                continue
             try:
                 found[student, variant.problem.code] = solutions.key(variant)
             except Undefined:
