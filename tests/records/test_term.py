@@ -5,13 +5,15 @@ from __future__ import annotations
 import csv
 import itertools
 import json
+import shutil
 import stat
 from pathlib import Path
 
 import pytest
 
 from corollary.cli.main import main
-from corollary.problem.bank import chapter_bank, find
+from corollary.practice.practice import practice
+from corollary.problem.bank import Bank, chapter_bank, find
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import read_roster
 from corollary.problem.variant import chapter
@@ -29,7 +31,7 @@ ben,Ben,Okafor,ben@example.org,B,"1, 2"
 cyd,Cyd,Li,cyd@example.org,A,2
 dee,Dee,Weiss,dee@example.org,B,
 """
-TENNIS, METEOR = "hitting_a_tennis_ball", "meteor_impact"
+TENNIS, METEOR, DROP = "hitting_a_tennis_ball", "meteor_impact", "absorbing_a_drop"
 SETS = {
     "week1": (TENNIS, "2020-01-10"),
     "week2": ("kicking_a_ball", "2020-01-20"),
@@ -56,11 +58,21 @@ MARKS = {
 
 
 @pytest.fixture
-def course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def bank(tmp_path: Path) -> Bank:
+    """The problems of the sets, and one more that can show the same misconception."""
+    for step in ("problems", "solutions"):
+        for place in (chapter_bank().folder / step).glob("*/*.md"):
+            if place.stem in {*(problem for problem, _ in SETS.values()), DROP}:
+                (tmp_path / "bank" / step / place.parent.name).mkdir(parents=True, exist_ok=True)
+                shutil.copy(place, tmp_path / "bank" / step / place.parent.name)
+    return Bank(tmp_path / "bank")
+
+
+@pytest.fixture
+def course(bank: Bank, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Four sets of one problem each; dee handed in nothing and is excused from the second."""
     (tmp_path / "roster.csv").write_text(ROSTER)
     made = create_course(tmp_path / "course", read_roster(tmp_path / "roster.csv").students)
-    bank = chapter_bank()
     for name, (problem, due) in SETS.items():
         file = tmp_path / f"{name}.md"
         file.write_text(f"---\ntitle: Title of {name}\ndue: {due}\nproblems: [{problem}]\n---\nGo.\n")
@@ -167,3 +179,26 @@ def test_tables_and_page_are_for_the_instructor_and_of_one_section(course, monke
     assert json.loads(capsys.readouterr().out)["students"].keys() == {"ben", "cyd"}
     assert run(monkeypatch, "--section", "C") == 2
     assert "sections A, B" in capsys.readouterr().err
+
+
+@pytest.mark.whole
+def test_a_practice_sheet_has_fresh_numbers_for_a_repeated_misconception_and_no_answer(
+    course, bank, monkeypatch, capsys
+):
+    assert run(monkeypatch, "--practice-sheets", "sheets") == 0
+    rows = {each["id"]: each for each in rows_of("sheets/practice.csv")}
+    assert "ben" not in rows  # the misconception was lost
+    ada = rows["ada"]
+    drop = find(bank, DROP)
+    assert (ada["misconception"], ada["exercise"]) == (ARRIVING, drop.code)  # the one that she never had
+    assert stat.S_IMODE(Path("sheets").stat().st_mode) == 0o700
+    page = Path("sheets/ada/practice.html").read_text()
+    assert LEFT_OUT[METEOR] in page
+    assert f"corollary practise {drop.code}/{ada['number']}" in page
+    cells = json.loads(Path("sheets/ada/practice.ipynb").read_text())["cells"]
+    part = drop.part(ada["part"])
+    assert any(drop.answer_name(part) in "".join(cell["source"]) for cell in cells)
+    key = practice(bank).pose(drop.code, int(ada["number"])).key
+    answers = [f"{abs(value):.3g}" for value in key.truths[part.id].values]
+    assert key.variant.index != chapter(drop).index
+    assert not [each for each in answers if len(each) > 3 and each in page]

@@ -348,6 +348,10 @@ command(
     path("--csv", text="Write the totals here as a table."),
     path("--missing", text="Write who misses a set or falls behind here, with addresses for a mail merge."),
     path("--misconceptions", text="Write each student's misconceptions by set here as a table."),
+    path(
+        "--practice-sheets",
+        text="Write a sheet of fresh numbers into this folder for each who repeats a misconception.",
+    ),
 )
 command(
     "export",
@@ -368,6 +372,10 @@ command(
     *PRINTED_AND_MARKED,
     *WHOLE_COURSE,
     path("--ids", text="feedback-zip: the students' numbers in Moodle or Canvas, as for release."),
+    path(
+        "--practice",
+        text="feedback-zip: add the practice sheets of this folder, as corollary term wrote them.",
+    ),
     path(
         "--output",
         "-o",

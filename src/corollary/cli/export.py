@@ -140,7 +140,7 @@ def _of_one_set(
     if chosen.feedback is not None:
         if course is None:
             refuse(f"{to} holds feedback; say of which course with --course")
-        pages = feedback_files(course, problem_set, given["ids"] or given["template"])
+        pages = feedback_files(course, problem_set, given["ids"] or given["template"], given["practice"])
         if pages.without:
             say(
                 f"{few(pages.without)}: no file, since their number in {pages.lms.capitalize()} is unknown; give it with --ids"

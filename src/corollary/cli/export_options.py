@@ -42,6 +42,7 @@ class ExportOptions(TypedDict):
     apart: bool
     left_out: Sequence[str]
     pyodide: Path | None
+    practice: Path | None
 
 
 def refuse_what_is_for_others(chosen: Target, given: ExportOptions) -> None:
@@ -50,6 +51,8 @@ def refuse_what_is_for_others(chosen: Target, given: ExportOptions) -> None:
     _refuse_options_of_paper(
         chosen, ("--formula-sheet", given["formula_sheet"]), ("--large-print", given["large_print"])
     )
+    if given["practice"] is not None and chosen.feedback is None:
+        refuse(f"--practice goes with feedback-zip; leave it out for {to}")
     of_students = given["roster"] is not None or given["forms"] is not None
     if given["solution"] and (chosen.site or chosen.items is not None):
         refuse(f"--solution is for sheets, and {to} always has the worked solutions; leave it out")

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import errno
 import json
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, cast
 
@@ -29,6 +30,7 @@ from corollary.render.practice_page import (
 
 USUAL_PORT = 8412  # always the same, if it is free: a browser keeps what was done by the address of the page
 MOST_TURNS = 100_000
+NUMBERED = re.compile(r"([^/]+)/(\d{1,5})")
 
 
 def run(
@@ -39,23 +41,35 @@ def run(
     port: int,
     course: Path | None = None,
 ) -> int:
+    words, first = _with_numbers(wanted)
     opened, around = open_bank(bank), course_in(course)
     try:
         found = practice(
-            opened, with_sets(opened, wanted, around), not_to_be_practised(opened, left_out, around)
+            opened, with_sets(opened, words, around), not_to_be_practised(opened, left_out, around)
         )
     except LookupError as error:
         refuse(str(error))
     say_broken(found)
-    serve(_server(found, port), "ctrl-C ends it, and your browser keeps what you did", no_browser)
+    known = {each.code for each in found.problems}
+    sheet = [(code, turn) for code, turn in first if code in known]
+    serve(_server(found, port, sheet), "ctrl-C ends it, and your browser keeps what you did", no_browser)
     return HOLDS
 
 
-def _server(found: Practice, port: int) -> OnePageServer:
+def _with_numbers(words: Sequence[str]) -> tuple[list[str], list[tuple[str, int]]]:
+    """The words without the numbers of `X12.6/17`, and those exercises: what a practice sheet names."""
+    found = [NUMBERED.fullmatch(each) for each in words]
+    codes = [each if one is None else one[1] for each, one in zip(words, found, strict=True)]
+    return codes, [(one[1], int(one[2])) for one in found if one is not None]
+
+
+def _server(found: Practice, port: int, sheet: Sequence[tuple[str, int]] = ()) -> OnePageServer:
     """On the port that is asked for; else on the usual one, or any where that is in use."""
 
     def at(place: int) -> OnePageServer:
-        return OnePageServer(lambda: practice_page(found), lambda posted: answered(found, posted), place)
+        return OnePageServer(
+            lambda: practice_page(found, sheet=sheet), lambda posted: answered(found, posted), place
+        )
 
     try:
         return at(port or USUAL_PORT)

@@ -24,6 +24,7 @@ def run(
     csv: Path | None,
     missing: Path | None,
     misconceptions: Path | None,
+    practice_sheets: Path | None,
     section: str | None,
     group: str | None,
 ) -> int:
@@ -50,9 +51,13 @@ def run(
         from corollary.render.term_page import term_page  # brings the templates
 
         _write(output, term_page(term, lines, in_class))
+    if practice_sheets is not None:
+        from corollary.cli.practice_sheets import write_practice_sheets  # brings the derivations
+
+        write_practice_sheets(practice_sheets, opened, term, lines, names)
     if as_json:
         answer(term_record(term, lines, in_class))
-    elif not any((csv, missing, misconceptions, output)):
+    elif not any((csv, missing, misconceptions, output, practice_sheets)):
         from corollary.cli.terminal import console
         from corollary.render.term_page import terminal
 

@@ -42,6 +42,7 @@ from corollary.render.feedback_page import feedback_notebook
 from corollary.render.paper.print_run import Pages, PrintRun
 
 NOBODY = Student("")
+PRACTICE = "practice.html"
 
 
 def sheets_of_course(course: Course, problem_set: ProblemSet) -> list[SheetPlan]:
@@ -167,8 +168,11 @@ class FeedbackFiles:
     without: tuple[str, ...]
 
 
-def feedback_files(course: Course, problem_set: ProblemSet, ids: Path | None = None) -> FeedbackFiles:
-    """The pages with what persons gave up to now, for the LMS that `ids`, or else what was collected, comes from.
+def feedback_files(
+    course: Course, problem_set: ProblemSet, ids: Path | None = None, practice: Path | None = None
+) -> FeedbackFiles:
+    """The pages with what persons gave up to now, for the LMS that `ids`, or else what was collected, comes from. `practice` is a
+    folder of practice sheets, which lie beside the pages.
 
     Raises NoPlaces, NotACourse and Malformed.
     """
@@ -193,6 +197,16 @@ def feedback_files(course: Course, problem_set: ProblemSet, ids: Path | None = N
     if lms == "canvas":
         pages |= _as_handed_in(course, name, found, pages)
     files = packed(lms, found, pages, roster)
+    if practice is not None:
+        if lms == "canvas":
+            raise NoPlaces(
+                "Canvas gives back one file for each hand-in; give the practice sheets back by Moodle or by mail"
+            )
+        sheets = {each.id: practice / each.id / PRACTICE for each in roster}
+        pages_to_practise = {
+            student: (PRACTICE, path.read_bytes()) for student, path in sheets.items() if path.is_file()
+        }
+        files |= packed(lms, found, pages_to_practise, roster)
     return FeedbackFiles(lms, files, tuple(student for student in pages if student not in found))
 
 

@@ -38,8 +38,11 @@ class Field:
         return self.prompt.part.id
 
 
-def practice_page(practice: Practice, verdicts: Mapping[str, str] | None = None) -> str:
-    """The frame: every problem by topic, and what the script says, in the reader's language.
+def practice_page(
+    practice: Practice, verdicts: Mapping[str, str] | None = None, sheet: Sequence[tuple[str, int]] = ()
+) -> str:
+    """The frame: every problem by topic, and what the script says, in the reader's language. The exercises of a `sheet`, by code and
+    number, come first.
 
     With the pieces of `verdicts` by their words it is a page of its own, answered from files beside it; else by a server.
     """
@@ -60,6 +63,7 @@ def practice_page(practice: Practice, verdicts: Mapping[str, str] | None = None)
         topics=topics,
         words=_words(),
         verdicts=verdicts or {},
+        sheet=list(sheet),
     )
 
 

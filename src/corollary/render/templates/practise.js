@@ -197,6 +197,7 @@ async function showStep() {
 
 // What is due comes first, the longest due before the others; then what is new; and each time of another topic than the last, if there is one.
 function next() {
+  if (waiting.length) return open(...waiting.shift());
   const all = stored(), at = Date.now();
   const topic = now && problems.find(each => each.dataset.code === now.code).dataset.topic;
   const others = list => {
@@ -210,9 +211,22 @@ function next() {
     .sort((one, two) => one.dataset.difficulty - two.dataset.difficulty);
   const chosen = others(due)[0] || others(fresh)[0];
   if (!chosen) return say(document.getElementById("done"), words.noneDue);
-  chosen.closest("details").open = true;
-  begin(chosen.dataset.code);
+  open(chosen.dataset.code);
 }
+// An exercise with these numbers (those that come next where it is left out).
+function open(code, turn) {
+  const button = problems.find(each => each.dataset.code === code);
+  if (!button) return;
+  button.closest("details").open = true;
+  begin(code, turn);
+}
+// A practice sheet names exercises by code and number, X12.6/17: in the command that opens the page, or behind its address.
+const waiting = JSON.parse(frame.dataset.sheet || "[]");
+function linked() {
+  const [, code, turn] = /^#([^/]+)\/(\d+)$/.exec(decodeURIComponent(location.hash)) || [];
+  if (code) open(code, Number(turn));
+}
+addEventListener("hashchange", linked);
 
 addEventListener("beforeprint", () => { for (const words of sheet.querySelectorAll(".motion details")) words.open = true; }); // paper moves nothing
 for (const button of problems) button.addEventListener("click", () => begin(button.dataset.code));
@@ -222,3 +236,5 @@ document.getElementById("forget").addEventListener("click", () => {
   overview();
 });
 overview();
+if (waiting.length) next();
+else linked();
