@@ -120,9 +120,9 @@ class PracticeMaker:
         """At most three exercises, each of another problem; none for a misconception that no problem at hand can show."""
         found: list[PracticeExercise] = []
         for each, sentence in wanted:
-            taken = {one.variant.problem.code for one in found}
+            on_sheet = {one.variant.problem.code for one in found}
             for candidate in self._ordered(student, each.misconception):
-                if candidate.problem.code in taken:
+                if candidate.problem.code in on_sheet:
                     continue
                 fresh = self._fresh(student, candidate)
                 if fresh is not None:
