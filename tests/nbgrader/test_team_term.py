@@ -17,6 +17,7 @@ pytest.importorskip("nbgrader")
 
 pytestmark = [
     pytest.mark.whole,
+    pytest.mark.timeout(1800),  # thirty commands one after the other, each with its start
     pytest.mark.usefixtures("open_to_everybody"),
     pytest.mark.skipif(
         sys.platform != "linux" or os.geteuid() != 0, reason="only root can act as several users"
