@@ -9,14 +9,25 @@ from pathlib import Path
 
 from msgspec import to_builtins
 
+from corollary.atomic import write_files
 from corollary.cli.ending import FAILS, HOLDS, MOST_LISTED, answer, counted, refuse, say
 from corollary.cli.terminal import bar, console
 from corollary.cli.told_dates import with_name
 from corollary.course.collect import Collected, collect, nothing_to_do
 from corollary.records.assignments import is_assigned
-from corollary.records.files import one_writer, open_course, students
+from corollary.records.files import Course, one_writer, open_course, students
+from corollary.records.notebook_archive import hand_ins, set_aside
 from corollary.records.origin import set_of
-from corollary.records.submissions import ACCEPTED, GUESSED, NOBODY, OLDER, UNCHANGED, UNUSABLE, Arrival
+from corollary.records.submissions import (
+    ACCEPTED,
+    GUESSED,
+    NOBODY,
+    OLDER,
+    UNCHANGED,
+    UNUSABLE,
+    Arrival,
+    submissions,
+)
 
 HEADINGS = {
     ACCEPTED: "Taken",
@@ -33,10 +44,18 @@ def run(
     bank: Path | None,
     times: Path | None,
     dry_run: bool,
+    copies: Path | None,
+    pack: bool,
     as_json: bool,
 ) -> int:
     opened = open_course(course)
     _, problem_set = set_of(opened, name, bank)
+    if copies is not None or pack:
+        if files or times or dry_run:
+            refuse("--copies and --pack work on what was collected; give no files with them")
+        return _of_archive(opened, problem_set.name, copies, pack, as_json)
+    if not files:
+        refuse("say what to collect: the LMS's archive, a folder, or notebooks")
     if not is_assigned(opened, problem_set.name):
         refuse(
             f"{problem_set.name} was never generated in {opened.folder}; run corollary generate {problem_set.name} first"
@@ -64,6 +83,31 @@ def run(
     else:
         show(found, problem_set.name, dry_run, {each.id: with_name(each) for each in students(opened)})
     return HOLDS if found.of(ACCEPTED) or found.of(UNCHANGED) or found.requests else FAILS
+
+
+def _of_archive(course: Course, name: str, copies: Path | None, pack: bool, as_json: bool) -> int:
+    """What lies in the course already: hand-ins written out, answered sheets packed."""
+    written, packed = list[Path](), list[str]()
+    if copies is not None:
+        found = {
+            f"{student.id}/{digest}.ipynb": content
+            for student in students(course)
+            for digest, content in hand_ins(course, name, student.id).items()
+        }
+        written = write_files(copies, found)
+    if pack:
+        with one_writer(course):
+            for student in submissions(course, name):
+                if set_aside(course, name, student):
+                    packed.append(student)
+    if as_json:
+        answer({"set": name, "copies": [str(each) for each in written], "packed": packed})
+        return HOLDS
+    if copies is not None:
+        print(f"{counted(len(written), 'notebook')} in {copies}/STUDENT/")
+    if pack:
+        print(f"{counted(len(packed), 'sheet')} packed; corollary release gives them out as before")
+    return HOLDS
 
 
 def handed_in(arrival: Arrival) -> str:

@@ -269,6 +269,8 @@ command(
     GENERATED_BANK,
     path("--times", text="Moodle's grading worksheet, for the times of submission."),
     flag("--dry-run", "Show what would be collected, and write nothing."),
+    path("--copies", text="Write every notebook that was ever collected into this folder."),
+    flag("--pack", "Pack the sheets in release/ of all who have handed in."),
     JSON,
 )
 command(

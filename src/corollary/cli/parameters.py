@@ -105,7 +105,7 @@ FORMAT = TargetOption(
 WAYS = ["exchange", "folder", "zip", "mail", "moodle", "canvas"]
 WAY_OUT = click.Option(["--to"], required=True, type=click.Choice(WAYS), help="The means of release.")
 WHAT_CAME = click.Argument(
-    ["files"], nargs=-1, required=True, type=PATH, metavar="FILE|FOLDER...", help="Files from the LMS."
+    ["files"], nargs=-1, type=PATH, metavar="FILE|FOLDER...", help="Files from the LMS."
 )
 VARIANTS = click.Option(
     ["--variants"], type=AT_LEAST_1, default=100, help="How many variants to check for each problem."

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from functools import cache, partial
@@ -10,7 +11,7 @@ from pathlib import Path
 
 import msgspec
 
-from corollary.atomic import write_whole
+from corollary.atomic import SIDE_BY_SIDE, write_whole
 from corollary.course.failure_log import FailureLog
 from corollary.course.hand_in_time import Times, dated, read_times
 from corollary.course.lms_numbers import OwnFiles, known_numbers
@@ -24,6 +25,7 @@ from corollary.records.assignments import read_assigned
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.lms_names import Directory, lms_name
+from corollary.records.notebook_archive import keep, read_sheet
 from corollary.records.regrade_requests import (
     MOST_BYTES,
     add_requests,
@@ -46,7 +48,6 @@ from corollary.records.submissions import (
     digest_of,
     guessed_time,
     handed_in,
-    keep,
     own_folder,
     read_arrivals,
     remember,
@@ -193,6 +194,7 @@ def collect(
     directory = directory_of(roster, before, numbers)
     known = {each.id: each for each in roster}
     requests: list[CollectedRequest] = []
+    released = partial(read_sheet, course, name)
     for member in _members(sources, directory, name):
         progress(writable(member.name))
         if is_request(member.parts[-1], name):
@@ -203,7 +205,7 @@ def collect(
                 arrivals.append(asked)
             continue
         found = guarded(
-            partial(identified, member, problem_set, directory, known, assigned, conflicts), LONGEST
+            partial(identified, member, problem_set, directory, known, assigned, conflicts, released), LONGEST
         )
         if isinstance(found, Found):
             met.append(found)
@@ -224,11 +226,15 @@ def collect(
     for each in with_times:
         by_student.setdefault(each.student, []).append(each)
     there = submissions(course, name)
-    for student, theirs in by_student.items():
-        earlier = [each for each in before if each.student == student]
-        past = Past(earlier, deadlines.of(student), guessed_time(course, name, student) is not None)
-        of_student = _StudentFiles(course, problem_set, student, theirs, there.get(student), past, dry_run)
-        became = guarded(of_student.arrivals)
+    begun: list[tuple[_StudentFiles, Future[list[Arrival] | Failure]]] = []
+    with ThreadPoolExecutor(SIDE_BY_SIDE) as pool:  # what takes the time is waiting for the disk
+        for student, theirs in by_student.items():
+            earlier = [each for each in before if each.student == student]
+            past = Past(earlier, deadlines.of(student), guessed_time(course, name, student) is not None)
+            files = _StudentFiles(course, problem_set, student, theirs, there.get(student), past, dry_run)
+            begun.append((files, pool.submit(guarded, files.arrivals)))
+    for of_student, future in begun:
+        student, theirs, became = of_student.student, of_student.theirs, future.result()
         if isinstance(became, Failure):
             failures.add(student, [became])
             why = f"could not be written into submitted/ ({became.what}); the file itself is unchanged, so collect it again"

@@ -38,6 +38,7 @@ from corollary.records.assignments import (
 )
 from corollary.records.editions import values_now
 from corollary.records.files import Course, create_course, one_writer
+from corollary.records.notebook_archive import drop_sheet, has_sheet
 from corollary.records.origin import write_origin
 from corollary.records.settings import write_settings
 
@@ -212,7 +213,7 @@ def generate(
         for each in renewed:
             record.students[each.student] = each.row
             # Gone before the record says otherwise: cut short here, the next run writes what the record says.
-            course.notebook("release", each.student, problem_set.name).unlink(missing_ok=True)
+            drop_sheet(course, problem_set.name, each.student)
         dealt = problem_set.deal(course.key, new, held_codes(record))
         with makers(course, problem_set, solutions, len(new) + len(renewed), jobs, dealt) as by:
             drawing = by.draw(
@@ -226,14 +227,19 @@ def generate(
             todays = {*new, *(each.student for each in renewed)}
             record.dates |= {
                 student: printed_date(problem_set.due)
-                for student, path in notebooks.items()
-                if student in todays or (student not in record.dates and not path.exists())
+                for student in notebooks
+                if student in todays
+                or (student not in record.dates and not has_sheet(course, problem_set.name, student))
             }
             write_origin(course, problem_set.name, solutions.bank, problem_set.file)
             save_record(course, problem_set, record)
             assigned = sheets(course, problem_set, record)
             # What was handed out stays as it is, to the byte.
-            missing = [each for each in roster if each.id in todays or not notebooks[each.id].exists()]
+            missing = [
+                each
+                for each in roster
+                if each.id in todays or not has_sheet(course, problem_set.name, each.id)
+            ]
             for student in by.write(
                 [_to_write(each, assigned[each.id]) for each in missing if each.id in todays]
             ):

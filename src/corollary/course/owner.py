@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 
-from corollary.grading.integrity import elsewhere, notes
+from corollary.grading.integrity import elsewhere, is_unedited, notes
 from corollary.notebook.locate import origin
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.problem_set import ProblemSet
@@ -105,9 +105,10 @@ def identified(
     roster: Mapping[str, Student],
     assigned: Mapping[str, AssignedSheet],
     conflicts: list[str],
+    released: Callable[[str], bytes | None] = lambda student: None,
 ) -> Found | Arrival:
     """Whose a file is. The name that an LMS or a person gave it counts for more than what the notebook says of itself, for
-    whoever has a neighbour's notebook cannot hand in as the neighbour."""
+    whoever has a neighbour's notebook cannot hand in as the neighbour. `released`: each student's sheet as it lies in the course."""
     lms = lms_name(member.parts)
     by_place = directory.of_lms(lms) if lms else directory.of_parts(member.parts, problem_set.name)
     number = f"{lms.lms} {lms.number}" if lms else ""
@@ -150,6 +151,9 @@ def identified(
             UNUSABLE,
             f"{owner} has no sheet of {problem_set.name}; run corollary generate {problem_set.name} again",
         )
+    named = lms is None or by_place is not None
+    if (says.set_name, says.student) == (problem_set.name, owner) and is_unedited(read.node, released(owner)):
+        return Found(owner, member, member.content, lms, None, "", named=named)
     sheet = worksheet(problem_set, roster[owner], assigned[owner].variants)
     if elsewhere(sheet, read.node):
         name = problem_set.name
@@ -163,7 +167,6 @@ def identified(
         conflicts.append(
             f"{writable(member.name)} was handed in by {owner} but made for {says.student}; it is marked with the numbers of {owner}"
         )
-    named = lms is None or by_place is not None
     another = says.student if says.student != owner else ""
     why = (
         f"made for {another}, marked with the numbers of {owner}"

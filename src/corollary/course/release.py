@@ -12,6 +12,7 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.files import Course, students
 from corollary.records.lms_names import file_words
+from corollary.records.notebook_archive import read_sheet
 from corollary.render.targets.feedback_zip import write_archive
 
 UNKNOWN = {
@@ -37,9 +38,9 @@ def sheets_of(course: Course, problem_set: ProblemSet) -> dict[str, bytes]:
     """The notebooks that `corollary generate` wrote, by student. Raises NoSheets."""
     found: dict[str, bytes] = {}
     for student in students(course):
-        path = course.notebook("release", student.id, problem_set.name)
-        if path.is_file():
-            found[student.id] = path.read_bytes()
+        content = read_sheet(course, problem_set.name, student.id)
+        if content is not None:
+            found[student.id] = content
     if not found:
         raise NoSheets(
             f"nobody has a sheet of {problem_set.name} in {course.folder}; run corollary generate {problem_set.name} first"

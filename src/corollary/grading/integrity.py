@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -41,6 +42,20 @@ def notes(sheet: Worksheet, notebook: NotebookNode) -> tuple[str, ...]:
         elif cell.id.endswith(("_statement", "_text")) and other_numbers(theirs.source, cell.source):
             foreign.append(cell.id)
     return tuple(_sentences(sheet, origin(notebook).student, edited, foreign))
+
+
+def is_unedited(notebook: NotebookNode, released: bytes | None) -> bool:
+    """True if every locked cell that came back has the text of the sheet's own file: then there is nothing to note, and the sheet
+    need not be made again. False where the file cannot be read."""
+    try:
+        cells = json.loads(released or b"")["cells"]
+        texts = {
+            cell["id"]: "".join(cell["source"]) for cell in cells if cell["metadata"]["nbgrader"]["locked"]
+        }
+    except (ValueError, KeyError, TypeError):
+        return False
+    found = cells_by_id(notebook)
+    return all(_normal(found[name].source) == _normal(text) for name, text in texts.items() if name in found)
 
 
 def elsewhere(sheet: Worksheet, notebook: NotebookNode) -> str:

@@ -35,6 +35,7 @@ from corollary.nbgrader.gradebook import directory, need_nbgrader, programs_on_p
 from corollary.records.assignments import is_assigned
 from corollary.records.files import BESIDE, Course, open_course, students
 from corollary.records.marks import feedback_place
+from corollary.records.notebook_archive import restore_sheet
 from corollary.records.regrade_requests import is_request
 from corollary.records.submissions import STAMP, beside, writable
 from corollary.sandbox.file import bytes_of
@@ -314,7 +315,11 @@ def _unreadable(place: str) -> Iterator[str]:
 def _own_sheets(root: Path, name: str) -> dict[str, Path]:
     """The folder with the own sheet of each student; none where the course or the assignment is none of ours."""
     course = _ours(root)
-    places = {each.id: root / "release" / each.id / name for each in students(course)} if course else {}
+    if course is None:
+        return {}
+    places = {each.id: root / "release" / each.id / name for each in students(course)}
+    for student in places:
+        restore_sheet(course, name, student)
     return {student: place for student, place in places.items() if place.is_dir()}
 
 

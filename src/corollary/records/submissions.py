@@ -103,13 +103,6 @@ def _identity(each: Arrival) -> tuple[str, ...]:
     return each.student, each.file, each.digest, outcome, when
 
 
-def keep(course: Course, set_name: str, student: str, content: bytes) -> None:
-    """A copy of a notebook by its digest: whatever is taken later, it can be looked at."""
-    place = course.record("collected", f"{set_name}/{student}/{digest_of(content)[:16]}.ipynb")
-    if not place.exists():
-        write_whole(place, content, mode=0o600)
-
-
 def numbers_of(arrivals: Sequence[Arrival]) -> dict[str, str]:
     """The numbers by which an LMS knows the students, as "moodle 17", with the id of each."""
     return {each.number: each.student for each in arrivals if each.number and each.student}

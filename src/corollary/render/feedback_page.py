@@ -9,6 +9,7 @@ from __future__ import annotations
 import base64
 import json
 import re
+import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
@@ -139,13 +140,18 @@ def page_facts(
 
 
 def packed(facts: PageFacts) -> bytes:
-    """The facts as JSON; half a surrogate pair in a student's text, which no file can hold, is a question mark."""
-    return json.dumps(msgspec.to_builtins(facts), ensure_ascii=False).encode("utf-8", "replace")
+    """The facts as compressed JSON; half a surrogate pair in a student's text, which no file can hold, is a question mark."""
+    text = json.dumps(msgspec.to_builtins(facts), ensure_ascii=False).encode("utf-8", "replace")
+    return zlib.compress(text)
 
 
 def unpacked(content: bytes) -> PageFacts:
-    """The facts that `packed` made a file of. Raises msgspec.DecodeError for anything else."""
-    return msgspec.json.decode(content, type=PageFacts)
+    """The facts that `packed` made a file of, or a version that did not compress. Raises msgspec.DecodeError for anything else."""
+    try:
+        text = content if content.startswith(b"{") else zlib.decompress(content)
+    except zlib.error as error:
+        raise msgspec.DecodeError(str(error)) from None
+    return msgspec.json.decode(text, type=PageFacts)
 
 
 def describe(figure: Figure) -> str:

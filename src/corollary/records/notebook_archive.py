@@ -1,0 +1,131 @@
+"""Archive of notebooks in a course: what was handed in, by digest, and sheets that were answered, packed to a tenth of their size."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import zlib
+from pathlib import Path
+
+from corollary.atomic import write_whole
+from corollary.records.files import Course
+
+WORD = re.compile(rb"""[^\s"'\\]+""")
+LONG, MOST = 5_000, 32
+"""Bytes of a word that is stored once in the course, and how many of a notebook are: the packed code of a sheet's checks, which all
+sheets of a set carry."""
+SHARED, TEXT = b"S", b"T"
+
+
+class Damaged(ValueError):
+    """A file of the archive cannot be unpacked; one sentence says which."""
+
+
+def archive(course: Course, place: Path, content: bytes) -> None:
+    """Packs a notebook into a file of the archive. Raises OSError, and leaves nothing by this name then."""
+    pieces, end = list[bytes](), 0
+    for found in WORD.finditer(content):
+        if found.end() - found.start() < LONG or len(pieces) >= 2 * MOST:
+            continue
+        digest = hashlib.sha256(found[0]).digest()
+        shared = _shared(course, digest)
+        if not shared.exists():
+            write_whole(shared, zlib.compress(found[0]), mode=0o600)
+        pieces += [_text(content[end : found.start()]), SHARED + digest]
+        end = found.end()
+    pieces.append(_text(content[end:]))
+    write_whole(place, hashlib.sha256(content).digest() + zlib.compress(b"".join(pieces)), mode=0o600)
+
+
+def unarchive(course: Course, place: Path) -> bytes:
+    """The notebook as it was, to the byte. Raises FileNotFoundError and Damaged."""
+    packed, found = place.read_bytes(), bytearray()
+    try:
+        pieces, at = zlib.decompress(packed[32:]), 0
+        while at < len(pieces):
+            kind, start = pieces[at : at + 1], at + 1
+            if kind == SHARED:
+                found += zlib.decompress(_shared(course, pieces[start : start + 32]).read_bytes())
+                at = start + 32
+            else:
+                size = int.from_bytes(pieces[start : start + 8], "big")
+                found += pieces[start + 8 : start + 8 + size]
+                at = start + 8 + size
+    except (OSError, zlib.error) as error:
+        raise Damaged(f"{place} cannot be unpacked ({error}); restore .corollary from a backup") from None
+    if hashlib.sha256(found).digest() != packed[:32]:
+        raise Damaged(f"{place} is damaged; restore it from a backup")
+    return bytes(found)
+
+
+def keep(course: Course, set_name: str, student: str, content: bytes) -> None:
+    """A copy of a hand-in by its digest: whatever is taken later, it can be looked at."""
+    digest = hashlib.sha256(content).hexdigest()[:16]
+    place = course.record("collected", f"{set_name}/{student}/{digest}.z")
+    if not place.exists() and not place.with_suffix(".ipynb").exists():
+        archive(course, place, content)
+
+
+def hand_ins(course: Course, set_name: str, student: str) -> dict[str, bytes]:
+    """Everything that was ever collected of a student in a set, by digest, earlier versions' unpacked copies too. Raises Damaged."""
+    folder = course.record("collected", f"{set_name}/{student}")
+    return {
+        place.stem: unarchive(course, place) if place.suffix == ".z" else place.read_bytes()
+        for place in sorted(folder.glob("[!.]*"))
+    }
+
+
+def set_aside(course: Course, set_name: str, student: str) -> bool:
+    """Packs a sheet in `release/`; `release` and `generate` find it as before. False when there is none. Raises OSError."""
+    path = course.notebook("release", student, set_name)
+    if path.is_symlink() or not path.is_file():
+        return False
+    content, place = path.read_bytes(), _sheet(course, set_name, student)
+    archive(course, place, content)
+    if unarchive(course, place) != content:
+        return False
+    path.unlink()
+    return True
+
+
+def has_sheet(course: Course, set_name: str, student: str) -> bool:
+    """True if a sheet was written for this student, be it packed by now."""
+    return (
+        course.notebook("release", student, set_name).exists() or _sheet(course, set_name, student).exists()
+    )
+
+
+def read_sheet(course: Course, set_name: str, student: str) -> bytes | None:
+    """The sheet as it was handed out; None when there is none. Raises Damaged."""
+    path = course.notebook("release", student, set_name)
+    if path.is_file():
+        return path.read_bytes()
+    try:
+        return unarchive(course, _sheet(course, set_name, student))
+    except FileNotFoundError:
+        return None
+
+
+def restore_sheet(course: Course, set_name: str, student: str) -> None:
+    """Writes a packed sheet into `release/` again, for programs that look there. Raises Damaged."""
+    path = course.notebook("release", student, set_name)
+    if not path.exists() and (content := read_sheet(course, set_name, student)) is not None:
+        write_whole(path, content)
+
+
+def drop_sheet(course: Course, set_name: str, student: str) -> None:
+    """Removes a sheet that a new one replaces."""
+    course.notebook("release", student, set_name).unlink(missing_ok=True)
+    _sheet(course, set_name, student).unlink(missing_ok=True)
+
+
+def _sheet(course: Course, set_name: str, student: str) -> Path:
+    return course.record("released", f"{set_name}/{student}.z")
+
+
+def _text(content: bytes) -> bytes:
+    return TEXT + len(content).to_bytes(8, "big") + content
+
+
+def _shared(course: Course, digest: bytes) -> Path:
+    return course.record("shared", f"{digest.hex()[:32]}.z")
