@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from corollary.cli.commands import app
 from corollary.problem.roster import Student
 from corollary.records.files import create_course
-from corollary.records.notebook_archive import Damaged, hand_ins, keep
+from corollary.records.notebook_archive import DamagedArchive, hand_ins, keep
 
 from .changing_bank import ChangingBank, Text
 
@@ -40,7 +40,7 @@ def test_a_damaged_copy_is_refused_and_named(tmp_path: Path) -> None:
     keep(course, "week", "ada", b"x" * 100)
     (file,) = course.record("collected", "week/ada").iterdir()
     file.write_bytes(file.read_bytes()[:-3] + b"abc")
-    with pytest.raises(Damaged, match=str(file)):
+    with pytest.raises(DamagedArchive, match=str(file)):
         hand_ins(course, "week", "ada")
 
 

@@ -17,7 +17,7 @@ sheets of a set carry."""
 SHARED, TEXT = b"S", b"T"
 
 
-class Damaged(ValueError):
+class DamagedArchive(ValueError):
     """A file of the archive cannot be unpacked; one sentence says which."""
 
 
@@ -38,7 +38,7 @@ def archive(course: Course, place: Path, content: bytes) -> None:
 
 
 def unarchive(course: Course, place: Path) -> bytes:
-    """The notebook as it was, to the byte. Raises FileNotFoundError and Damaged."""
+    """The notebook as it was, to the byte. Raises FileNotFoundError and DamagedArchive."""
     packed, found = place.read_bytes(), bytearray()
     try:
         pieces, at = zlib.decompress(packed[32:]), 0
@@ -52,9 +52,11 @@ def unarchive(course: Course, place: Path) -> bytes:
                 found += pieces[start + 8 : start + 8 + size]
                 at = start + 8 + size
     except (OSError, zlib.error) as error:
-        raise Damaged(f"{place} cannot be unpacked ({error}); restore .corollary from a backup") from None
+        raise DamagedArchive(
+            f"{place} cannot be unpacked ({error}); restore .corollary from a backup"
+        ) from None
     if hashlib.sha256(found).digest() != packed[:32]:
-        raise Damaged(f"{place} is damaged; restore it from a backup")
+        raise DamagedArchive(f"{place} is damaged; restore it from a backup")
     return bytes(found)
 
 
@@ -67,7 +69,7 @@ def keep(course: Course, set_name: str, student: str, content: bytes) -> None:
 
 
 def hand_ins(course: Course, set_name: str, student: str) -> dict[str, bytes]:
-    """Everything that was ever collected of a student in a set, by digest, earlier versions' unpacked copies too. Raises Damaged."""
+    """Everything that was ever collected of a student in a set, by digest, earlier versions' unpacked copies too. Raises DamagedArchive."""
     folder = course.record("collected", f"{set_name}/{student}")
     return {
         place.stem: unarchive(course, place) if place.suffix == ".z" else place.read_bytes()
@@ -96,7 +98,7 @@ def has_sheet(course: Course, set_name: str, student: str) -> bool:
 
 
 def read_sheet(course: Course, set_name: str, student: str) -> bytes | None:
-    """The sheet as it was handed out; None when there is none. Raises Damaged."""
+    """The sheet as it was handed out; None when there is none. Raises DamagedArchive."""
     path = course.notebook("release", student, set_name)
     if path.is_file():
         return path.read_bytes()
@@ -107,7 +109,7 @@ def read_sheet(course: Course, set_name: str, student: str) -> bytes | None:
 
 
 def restore_sheet(course: Course, set_name: str, student: str) -> None:
-    """Writes a packed sheet into `release/` again, for programs that look there. Raises Damaged."""
+    """Writes a packed sheet into `release/` again, for programs that look there. Raises DamagedArchive."""
     path = course.notebook("release", student, set_name)
     if not path.exists() and (content := read_sheet(course, set_name, student)) is not None:
         write_whole(path, content)
