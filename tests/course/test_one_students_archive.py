@@ -16,6 +16,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as some
 
 from corollary.course import collect as collecting
+from corollary.course.attack.hostile_archives import HOSTILE, far_away, of_method, packed, without_a_name
 from corollary.course.collect import Collected, collect
 from corollary.nbgrader.zip_collect import BoundedExtractor
 from corollary.problem.problem_set import ProblemSet
@@ -23,7 +24,6 @@ from corollary.records.files import Course, open_course
 from corollary.records.origin import set_of
 from corollary.records.submissions import ACCEPTED, NOBODY, UNUSABLE
 
-from .hostile_archives import HOSTILE, far_away, of_method, packed, without_a_name
 from .test_collect import NOW
 
 LMS = "Ben Bool_18_assignsubmission_file_"

@@ -55,6 +55,7 @@ TERM = [
 ]
 ELSEWHERE = {
     "howto/give_a_student_their_data.md",
+    "howto/attack_your_own_machine.md",
     "howto/print_sheets.md",
     "howto/compose_a_scene.md",
     "howto/audit_an_answer_key.md",

@@ -396,6 +396,7 @@ command(
     "doctor",
     "Check this machine and this course: versions, isolation, nbgrader, disk, time zone.",
     path("--course", text="A course to look at; the one around the working folder when left out."),
+    flag("--attack", "Play hostile hand-ins in a throw-away course, and say what a student could do here."),
     JSON,
     settings=False,
 )

@@ -1,4 +1,4 @@
-"""Small archives, each wrong in one way, as one student may hand them in."""
+"""Hostile archives: small files, each wrong in one way, as one student may hand them in."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import io
 import stat
 import struct
 import tarfile
+import warnings
 import zipfile
 from collections.abc import Callable
 from functools import cache
@@ -15,7 +16,10 @@ NOTEBOOK = "one.ipynb"
 
 def packed(*files: tuple[str | zipfile.ZipInfo, bytes], method: int = zipfile.ZIP_STORED) -> bytes:
     content = io.BytesIO()
-    with zipfile.ZipFile(content, "w", method) as made:
+    with (
+        warnings.catch_warnings(action="ignore"),
+        zipfile.ZipFile(content, "w", method) as made,
+    ):  # of a name twice
         for name, text in files:
             made.writestr(name, text, compress_type=method)
     return content.getvalue()
@@ -70,6 +74,12 @@ def linked() -> bytes:
     link = zipfile.ZipInfo(NOTEBOOK)
     link.external_attr = (stat.S_IFLNK | 0o777) << 16
     return packed((link, b"/etc/passwd"))
+
+
+def _special(kind: int) -> zipfile.ZipInfo:
+    info = zipfile.ZipInfo(NOTEBOOK)
+    info.external_attr = (kind | 0o666) << 16
+    return info
 
 
 def nested(depth: int) -> bytes:
@@ -147,4 +157,19 @@ HOSTILE: dict[str, Callable[[], bytes]] = {
     "one byte": lambda: b"P",
     "only an end": lambda: b"PK\x05\x06" + bytes(18),
     "twelve padded notebooks": bomb,
+    "a directory that begins before the file": lambda: (
+        packed((NOTEBOOK, b"{}"))[:-6] + b"\xff\xff\xff\x7f\0\0"
+    ),
+    "65 535 members in its end": lambda: packed((NOTEBOOK, b"{}"))[:-12] + b"\xff" * 8 + bytes(4),
+    "fifty thousand empty notebooks": lambda: packed(*((f"{n}.ipynb", b"") for n in range(50_000))),
+    "one name in capitals and not": lambda: packed((NOTEBOOK, b"{}"), (NOTEBOOK.upper(), b"{}")),
+    "a name that turns the line around": lambda: packed(("\u202egnp.ipynb", b"{}")),
+    "a name that clears the screen": lambda: named(b"\x1b[2J\x1b]0;x\x07.ipynb"),
+    "a name that a spreadsheet calculates": lambda: packed(("=HYPERLINK(0).ipynb", b"{}")),
+    "a name that a page runs": lambda: packed(("<img src=x onerror=alert(1)>.ipynb", b"{}")),
+    "the course's key by name": lambda: packed(
+        ("../../.corollary/key", b"0" * 32), (".corollary/key", b"0" * 32)
+    ),
+    "a device": lambda: packed((_special(stat.S_IFCHR), b""), (_special(stat.S_IFIFO), b"")),
+    "a program that unpacks itself": lambda: b"MZ" + bytes(500) + packed((NOTEBOOK, b"{}")),
 }
