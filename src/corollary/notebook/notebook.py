@@ -11,7 +11,7 @@ from base64 import b64encode, b85encode
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
-from importlib.metadata import packages_distributions, version
+from importlib.metadata import PackageNotFoundError, packages_distributions, version
 from importlib.resources import files
 
 import nbformat
@@ -99,10 +99,14 @@ def _carried(code: str, questions: tuple[Question, ...]) -> str:
 
 
 def _versions(types: tuple[str, ...]) -> dict[str, str]:
-    """The packages that the code comes from, each with its version."""
+    """The packages that the code comes from, each with its version, as an installation names it."""
     others = {folder(name).partition(".")[0] for name in types} - {"corollary"}
     owners = dict(packages_distributions()) if others else dict[str, list[str]]()
-    return {DISTRIBUTION: __version__} | {
+    try:
+        ours = version(DISTRIBUTION)  # between two releases with its commit
+    except PackageNotFoundError:  # a checkout that nobody has installed
+        ours = __version__
+    return {DISTRIBUTION: ours} | {
         owner: version(owner) for package in sorted(others) for owner in owners.get(package, [])
     }
 
