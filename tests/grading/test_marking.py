@@ -17,7 +17,7 @@ from corollary.answers.verdict import Right, Unmarked, Unread, Verdict
 from corollary.course.demo.players import right_sources
 from corollary.formula.errors import ParseError
 from corollary.grading.marking import mark
-from corollary.grading.part_grades import Marked
+from corollary.grading.part_grades import Marked, PartGrade
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import filled_in, notebook
 from corollary.notebook.worksheet import Worksheet, worksheet
@@ -343,3 +343,70 @@ def test_what_is_wrong_or_no_value_is_no_near_miss(
     set_answer(whole, "X12_5_a", source)
     part = next(grade for grade in marked(whole).grades if grade.variant.problem.code == "X12.5")["a"]
     assert part.near is None
+
+
+def part_of(found: Marked, name: str) -> PartGrade:
+    named = {
+        grade.variant.problem.answer_name(part.part): part for grade in found.grades for part in grade.parts
+    }
+    return named[name]
+
+
+@pytest.mark.parametrize(
+    ("answer", "below", "verdict"),
+    [
+        ("X12_5_a = mine*fast", ("mine, fast = 0.43, 20",), Right),
+        ("X12_5_a = of(mine, fast)", ("def of(a, b):\n    return a*b", "mine = 0.43; fast = 20"), Right),
+        (
+            "X12_5_a = mine*fast",
+            ("mine, fast = 0.43, 20", "fast = 3"),
+            Unmarked,
+        ),  # made in two ways: the order may matter
+        ("total = total + 1\nX12_5_a = 8.6*total*mine", ("mine = 1; total = 0",), Unmarked),  # not twice
+        ("parts.append(mine)\nX12_5_a = sum(parts)", ("mine = 8.6; parts = []",), Unmarked),
+        (
+            "X12_5_b = 1e9\nX12_5_a = mine*fast",
+            ("mine, fast = 0.43, 20",),
+            Right,
+        ),  # what is given below it stays
+    ],
+)
+def test_only_where_the_order_of_cells_makes_no_difference_is_one_of_them_run_again(
+    marked: Callable[[NotebookNode], Marked],
+    whole: NotebookNode,
+    answer: str,
+    below: tuple[str, ...],
+    verdict: type,
+):
+    set_answer(whole, "X12_5_a", answer)
+    whole.cells += [nbformat.v4.new_code_cell(source) for source in below]
+    found = marked(whole)
+    part = part_of(found, "X12_5_a")
+    assert isinstance(part.verdict, verdict), part
+    assert bool(part.points) == (verdict is Right)
+    assert isinstance(part_of(found, "X12_5_b").verdict, Right)
+
+
+@pytest.mark.parametrize(
+    ("kind", "source"),
+    [
+        ("code", "8.6"),
+        ("code", "my_p = 8.6"),
+        ("code", "m = 0.43\nprint(m*20)"),
+        ("markdown", "The momentum is 8.6 kg m/s"),
+        ("question", "My answer: 8.6 kg m/s"),
+    ],
+)
+def test_an_answer_beside_its_cell_is_shown_to_a_person(
+    marked: Callable[[NotebookNode], Marked], whole: NotebookNode, kind: str, source: str
+):
+    set_answer(whole, "X12_5_a", "X12_5_a = None")
+    at = next(index for index, cell in enumerate(whole.cells) if cell.id == "X12_5_a_answer")
+    if kind == "question":
+        whole.cells[at - 1].source += f"\n\n{source}"
+    else:
+        new = nbformat.v4.new_code_cell if kind == "code" else nbformat.v4.new_markdown_cell
+        whole.cells.insert(at + 1, new(source))
+    found = part_of(marked(whole), "X12_5_a")
+    assert isinstance(found.verdict, Unmarked)
+    assert (found.answer, found.points) == (source, 0.0)

@@ -191,7 +191,7 @@ def test_check_speaks_of_the_cell_as_it_was_run_last(ada: Worksheet):
     assert "no answer yet: run the cell with your answer first" in said[2]
     assert "read as 8.6 N s" in said[4]
     assert 'in quotes: X12_5_a = "9.3 kg m/s"' in said[6]
-    assert "no answer yet: its cell stopped with ValueError; correct it and run it again" in said[8]
+    assert "no answer yet: its cell stopped with an error; correct it and run it again" in said[8]
     assert "read as 9.3 N s" in said[10]  # bound before the error, as it is when it is marked
     assert "read as 9.4 N s" in said[12]
 

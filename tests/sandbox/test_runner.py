@@ -15,7 +15,7 @@ import pytest
 from corollary.formula.value import Exact, Items, Nothing, Real, Text
 from corollary.messages import language
 from corollary.sandbox.isolation import WeakIsolation
-from corollary.sandbox.job import Cell, FunctionCall, Job
+from corollary.sandbox.job import Cell, ExecutionResult, FunctionCall, Job
 from corollary.sandbox.runner import Runner
 
 
@@ -141,7 +141,7 @@ def test_what_went_wrong_is_said_in_the_students_language(run) -> None:
         failed = run("def f(): return 1 / 0\nx = 3", calls=calls)
         died = run("x = 1", "import os; os._exit(0)")
     assert {key: call.trouble for key, call in failed.calls.items()} == {
-        "f": "die Funktion brach mit ZeroDivisionError: division by zero ab",
+        "f": "die Funktion endete mit einem Fehler (division by zero)",
         "g": "es gibt keine Funktion namens g",
         "x": "x ist keine Funktion",
     }
@@ -294,3 +294,33 @@ def test_without_namespaces_the_folder_is_still_bounded_and_removed() -> None:
         assert any("watched" in each for each in running.isolation.missing)
         for _ in range(2):
             assert running.execute(Job((Cell("c", beside),), ("a",))).values["a"] == Exact(Fraction(0))
+
+
+def again(run_on: Runner, *sources: str) -> ExecutionResult:
+    cells = tuple(Cell(f"c{index}", source, again=True) for index, source in enumerate(sources))
+    return run_on.execute(Job(cells, ("a", "b"), pictures=False))
+
+
+@pytest.mark.parametrize(
+    ("sources", "value"),
+    [
+        (("a = m*2", "m = 4"), 8),
+        (("a = k + 1", "k = m*2", "m = 1"), 3),
+        (("b = 1; a = m", "m = 2", "b = 7"), 2),
+    ],
+)
+def test_a_cell_above_its_names_is_run_once_more(
+    runner: Runner, sources: tuple[str, ...], value: int
+) -> None:
+    found = again(runner, *sources)
+    assert {name: each for values in found.again.values() for name, each in values.items()}["a"] == Exact(
+        Fraction(value)
+    )
+    assert isinstance(found.values["a"], Nothing)
+    assert [cell.status for cell in found.cells] == ["ok"] * len(sources)
+
+
+def test_no_cell_runs_twice_but_one_that_stopped_at_a_name(runner: Runner) -> None:
+    found = again(runner, "n = 0", "n += 1; b = n", "1/0", "n += 10; a = n + later", "later = 5", "b = n")
+    assert found.values["b"] == Exact(Fraction(11))  # each once; the second run of the fourth comes after all
+    assert list(found.again) == [3]

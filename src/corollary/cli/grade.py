@@ -22,6 +22,7 @@ from corollary.records.files import one_writer, open_course, students
 from corollary.records.origin import remember, set_of
 from corollary.records.outside_changes import OutsideChange
 from corollary.records.regrading import Change, PartChange
+from corollary.records.stopped_table import stopped_record
 from corollary.records.submissions import all_guessed, why_unclear
 from corollary.render.marks_by_hand_tables import outside_table
 from corollary.sandbox.isolation import Isolation
@@ -57,7 +58,7 @@ def run(
             opened,
             problem_set,
             Solutions(place),
-            partial(Runner, require=require),
+            partial(Runner, require=require, packages=problem_set.packages or ()),
             regrade=regrade,
             dry_run=dry_run,
             ask=partial(ask, as_json=as_json, yes=yes, names=names),
@@ -138,7 +139,7 @@ def ask_outside(outside: tuple[OutsideChange, ...], *, as_json: bool, yes: bool)
     return agreed(f"{count} changed in the gradebook. Take what stands there?", yes)
 
 
-FIELDS = ("points", "out_of", "parts", "isolation", "trouble", "late", "notes")
+FIELDS = ("points", "out_of", "parts", "isolation", "trouble", "late", "notes", "stopped")
 
 
 def say_isolation(isolation: Isolation) -> None:
@@ -167,6 +168,7 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
             for student, guess in done.guessed.items()
         },
         "nobodys": [{"file": file, "why": why} for file, why in done.report.nobodys],
+        "stopped": list(map(stopped_record, done.report.stopped)),
         "written": done.written,
         "outside": [msgspec.to_builtins(each) for each in done.outside],
         "changed": [asdict(each) | {"by": round(each.by, 6)} for each in done.changed],

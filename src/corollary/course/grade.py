@@ -35,6 +35,7 @@ from corollary.records.files import Course, students
 from corollary.records.manual_marks import ManualMarks, OfStudent
 from corollary.records.marks import (
     Record,
+    packages_now,
     page_facts_place,
     read_marks,
     read_record,
@@ -50,6 +51,7 @@ from corollary.records.regrading import (
     Change,
     change,
     dependencies,
+    is_completed,
     is_extended,
     is_handed_in_anew,
     largest_first,
@@ -172,7 +174,9 @@ class ProposedMarks:
         moves = False
         if old is not None and moved is not None:
             self._changes.append(moved)
-            if is_extended(old, one.submission.depends, moved, self.deadlines):
+            if is_completed(old, one.submission.depends, moved):
+                moves = False
+            elif is_extended(old, one.submission.depends, moved, self.deadlines):
                 self.extended.append(moved)
             else:
                 moves = moved.moves_points
@@ -266,7 +270,11 @@ def grade_set(
     if outside and not dry_run and ask_outside(outside):
         manual, outside = take_outside(course, name), ()
     records = read_records(course, problem_set, digests)
-    done = {one: record for one, record in records.items() if record.fingerprint == digests[one]}
+    done = {
+        one: record
+        for one, record in records.items()
+        if record.fingerprint == digests[one] and not is_package_changed(record, problem_set)
+    }
     written = _written(course, problem_set, done, dry_run)
     todo = [student for student in digests if regrade or student not in written]
     given = manual.by_student(name)
@@ -367,7 +375,14 @@ class _HandedIn:
         file, sheet, terms = self.files[student], self.assigned[student], self.terms[student]
         read = read_submission(course, about, owner, file, sheet, self.digests[student], terms)
         depends = dependencies(course, about.name, student, file, sheet, terms, self.states)
-        return replace(read, depends=depends)
+        packages = packages_now(read_record(course, about, student), about.packages)
+        return replace(read, depends=depends | packages)
+
+
+def is_package_changed(record: Record, problem_set: ProblemSet) -> bool:
+    """Whether a package that was missing is there now, or is declared by now as one that may not be used."""
+    now = packages_now(record, problem_set.packages)
+    return any(record.depends[name] != state for name, state in now.items())
 
 
 def _handed_in(

@@ -114,6 +114,7 @@ def findings(folder: Path | None) -> Iterator[Finding]:
         yield from found
     yield from archive_findings(folder)
     yield _isolation(settings)
+    yield from _packages(course, settings)
     yield from nbgrader_findings(course)
     yield from _places(folder)
     yield _time_zone(settings)
@@ -209,6 +210,14 @@ def _isolation(settings: Settings) -> Finding:
     remedy = installing("isolation") if short else "see docs/reference/isolation.md" if found.missing else ""
     missing = f"; missing: {'; '.join(found.missing)}" if found.missing else ""
     return Finding("isolation", state, f"level {found.level} ({found.line}): {holds}{missing}", remedy)
+
+
+def _packages(course: Course | None, settings: Settings) -> Iterator[Finding]:
+    try:
+        from corollary.course.package_health import package_findings
+    except ImportError:  # where notebooks cannot be run
+        return
+    yield from package_findings(course, settings)
 
 
 def _places(folder: Path | None) -> Iterator[Finding]:

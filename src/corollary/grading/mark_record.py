@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any
 
 from corollary.answers.verdict import Mistaken, Slip, Unmarked, word
@@ -59,4 +60,5 @@ def marked_record(marked: Marked) -> dict[str, Any]:
         "late": marked.late,
         "late_share": marked.late_share,
         "notes": list(marked.notes),
+        "stopped": [asdict(each) for each in marked.stopped],
     }

@@ -3,18 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 from corollary.answers.registry import answer_type
-from corollary.answers.verdict import Unmarked, Unread
+from corollary.answers.verdict import Follows, Right, Unmarked, Unread
 from corollary.formula.value import Nothing, Text, Value
+from corollary.grading.cell_order import CellOrder, cell_order
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
 from corollary.grading.near_misses import with_near_misses
+from corollary.grading.other_readings import text_typed
 from corollary.grading.part_grades import Grade, Marked, PartGrade
 from corollary.grading.points import grade
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.judge_programs import asks
+from corollary.grading.stopped_cells import (
+    Stops,
+    label,
+    needs_person,
+    no_answer,
+    package_state,
+    stops_in,
+    why_stopped,
+    with_parts,
+)
 from corollary.messages import catalogue
 from corollary.notebook.content import with_names
 from corollary.notebook.locate import (
@@ -23,6 +36,7 @@ from corollary.notebook.locate import (
     code_to_run,
     plot_cells,
     written_elsewhere,
+    written_into_question,
     written_text,
 )
 from corollary.notebook.notebook import notebook as handed_out
@@ -30,9 +44,13 @@ from corollary.notebook.unbound import one_line, unquoted, value_without_name
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.late_penalty import Delay
 from corollary.sandbox.file import Unreadable
-from corollary.sandbox.job import Cell, CellRun, ExecutionResult, Job
+from corollary.sandbox.job import Cell, ExecutionResult, Job
 from corollary.sandbox.notebook_file import Notebook
 from corollary.sandbox.runner import Runner
+from corollary.sandbox.stop_kinds import CellStop, stop_of
+
+if TYPE_CHECKING:
+    from nbformat import NotebookNode
 
 _ = catalogue(__name__)
 
@@ -55,13 +73,12 @@ def mark(
             return replace(not_marked(sheet, notebook.why, late), machine_failed=True)
         return _unreadable(sheet, keys, notebook.why, late)
     notebook = replace(notebook, node=with_names(notebook.node, sheet))
-    executed = runner.execute(_job(sheet, keys, notebook, secret))
+    job, order = _job(sheet, keys, notebook, secret)
+    executed = runner.execute(job)
     if executed.machine_failed:
         return replace(not_marked(sheet, executed.trouble, late), machine_failed=True)
-    grades = tuple(
-        _grade(sheet, keys, exercise.problem.code, notebook, executed, secret, reveal)
-        for exercise in sheet.exercises
-    )
+    came = _came_back(sheet, notebook, job, order, executed)
+    grades = tuple(_grade(came, keys, exercise.problem.code, secret, reveal) for exercise in sheet.exercises)
     return Marked(
         sheet.student,
         grades,
@@ -71,12 +88,88 @@ def mark(
         executed.trouble,
         late.seconds,
         late.share,
-        tuple(_unbound(sheet, grades, notebook)),
+        (*_unbound(came, grades), *_run_again(came)),
+        with_parts(came.stops, came.lost, came.packages),
     )
 
 
-def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job:
-    """What is asked of the notebook: nothing in it comes from the key but inputs for the student's functions."""
+@dataclass(frozen=True, slots=True)
+class _CameBack:
+    """A notebook that was run, with the sources of its sheet (`ours`).
+
+    `values` are the answers, with those that a `second` run of a cell gave for certain (`accepted` are the parts that it made
+    right); of those in `uncertain` the order of the cells cannot be known. `lost` has the parts without an answer, each with the
+    index of the cell to blame; `packages` those that a part's function missed; of those in `texts` a person reads a text that
+    gives no value.
+    """
+
+    sheet: Worksheet
+    notebook: Notebook
+    job: Job
+    order: CellOrder
+    executed: ExecutionResult
+    values: Mapping[str, Value]
+    second: frozenset[str]
+    uncertain: Mapping[str, Value]
+    stops: Stops
+    ours: Mapping[str, str]
+    lost: dict[str, int] = field(default_factory=dict[str, int])
+    packages: dict[str, str] = field(default_factory=dict[str, str])
+    texts: set[str] = field(default_factory=set[str])
+    accepted: set[str] = field(default_factory=set[str])
+
+    def own_cell(self, prompt: Prompt) -> NotebookNode | None:
+        """The cell that a part's answer is written in."""
+        return cells_by_id(self.notebook.node).get(answer_id(prompt.key, prompt.part))
+
+    def index_of(self, cell: NotebookNode | None) -> int | None:
+        name = cell.get("id") if cell is not None else None
+        return next((index for index, each in enumerate(self.job.cells) if name and each.id == name), None)
+
+    def error_of(self, cell: NotebookNode | None) -> str:
+        index = self.index_of(cell)
+        return "" if index is None else self.executed.cells[index].error
+
+    def is_above_its_names(self, cell: NotebookNode | None) -> bool:
+        """Whether a cell stopped at a name that a cell below it makes, and may not be run a second time."""
+        index = self.index_of(cell)
+        if index is None or self.job.cells[index].again:
+            return False
+        stop = stop_of(self.executed.cells[index])
+        return stop is not None and stop.kind == "name" and self.order.made_below(index, stop.about)
+
+    def package_missed(self, prompt: Prompt) -> str:
+        """The package that a part's function missed when it was called; empty where none did."""
+        for key, call in self.executed.calls.items():
+            if key.rpartition("/")[0] == prompt.key and (stop := self.stops.of_error(call.error)) is not None:
+                state = package_state(stop.about, self.sheet.problem_set.packages)
+                return stop.about if state != "not allowed" else ""
+        return ""
+
+
+def _came_back(
+    sheet: Worksheet, notebook: Notebook, job: Job, order: CellOrder, executed: ExecutionResult
+) -> _CameBack:
+    certain, uncertain = dict[str, Value](), dict[str, Value]()
+    for index, found in executed.again.items():
+        (certain if order.is_certain(index) else uncertain).update(found)
+    values, second = executed.values | certain, frozenset(certain)
+    stops = stops_in(job.cells, order, executed, notebook, sheet.problem_set.packages)
+    ours = {cell.id: str(cell.source) for cell in handed_out(sheet).cells}
+    return _CameBack(sheet, notebook, job, order, executed, values, second, uncertain, stops, ours)
+
+
+def _run_again(came: _CameBack) -> Iterator[str]:
+    """A note where cells stand in another order than they were run in."""
+    if came.accepted:
+        yield _(
+            "Some cells use names that only cells below them make, so they were run a second time, after all others. "
+            "Put the cells in order: Kernel, Restart Kernel and Run All Cells must work."
+        )
+
+
+def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> tuple[Job, CellOrder]:
+    """What is asked of the notebook, and its cells' names: nothing in it comes from the key but inputs for the student's functions."""
     calls = [
         ask
         for prompt in sheet.prompts
@@ -89,28 +182,25 @@ def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job
             sheet.student.id,
         )
     ]
-    cells = tuple(Cell(name, source) for name, source in code_to_run(notebook.node, handed_out(sheet)))
+    sources = code_to_run(notebook.node, handed_out(sheet))
+    order = cell_order([source for _, source in sources])
+    cells = tuple(
+        Cell(name, source, order.may_run_again(index)) for index, (name, source) in enumerate(sources)
+    )
     names = [
         name
         for prompt in sheet.prompts
         if answer_type(prompt.part.answer_type).found_in == "variable"
         for name in (prompt.name, prompt.key)
     ]
-    return Job(cells, tuple(dict.fromkeys(names)), tuple(calls))
+    return Job(cells, tuple(dict.fromkeys(names)), tuple(calls)), order
 
 
-def _grade(
-    sheet: Worksheet,
-    keys: Keys,
-    code: str,
-    notebook: Notebook,
-    executed: ExecutionResult,
-    secret: bytes,
-    reveal: bool,
-) -> Grade:
+def _grade(came: _CameBack, keys: Keys, code: str, secret: bytes, reveal: bool) -> Grade:
+    sheet, notebook, executed = came.sheet, came.notebook, came.executed
     prompts = [prompt for prompt in sheet.prompts if prompt.problem.code == code]
     plots = plot_cells(notebook.node, sheet)
-    answers = {prompt.part.id: _answer(prompt, notebook, executed) for prompt in prompts}
+    answers = {prompt.part.id: _answer(prompt, came) for prompt in prompts}
     elsewhere = tuple(figure for figure in executed.figures if figure.cell not in plots.values())
     runs = {
         prompt.part.id: ProgramRun(
@@ -135,9 +225,8 @@ def _grade(
         problem_set.weight(keys[code].variant.problem),
         reveal=reveal,
     )
-    ran = _runs(notebook, executed)
     explained = tuple(
-        _explained(part, prompt, notebook, ran) for part, prompt in zip(graded.parts, prompts, strict=True)
+        _explained(part, prompt, came) for part, prompt in zip(graded.parts, prompts, strict=True)
     )
     written, nameless = dict(answers), dict[str, str]()
     for prompt in prompts:
@@ -153,50 +242,93 @@ def _grade(
     return with_near_misses(keys[code], replace(graded, parts=explained), written, nameless)
 
 
-def _answer(prompt: Prompt, notebook: Notebook, executed: ExecutionResult) -> Value:
+def _answer(prompt: Prompt, came: _CameBack) -> Value:
     if answer_type(prompt.part.answer_type).found_in == "cell":
-        text = written_text(notebook.node, prompt)
+        text = written_text(came.notebook.node, prompt)
         return Text(text) if text else Nothing()
-    value = executed.values.get(prompt.name, Nothing())
+    value = came.values.get(prompt.name, Nothing())
     if isinstance(
         value, Nothing
     ):  # of a sheet, or from a habit, that has the part's id in place of its letter
-        value = executed.values.get(prompt.key, value)
+        value = came.values.get(prompt.key, value)
     return value
 
 
-def _runs(notebook: Notebook, executed: ExecutionResult) -> dict[str, CellRun]:
-    """How the cell of each answer fared, by the name it was handed out with."""
-    by_id = {run.id: run for run in executed.cells}
-    return {
-        name: by_id[cell.id] for name, cell in cells_by_id(notebook.node).items() if cell.get("id") in by_id
-    }
-
-
-def _explained(part: PartGrade, prompt: Prompt, notebook: Notebook, runs: Mapping[str, CellRun]) -> PartGrade:
-    """A part without an answer: where something was written for it a person reads that; where its cell failed the student reads
-    why."""
-    if not (isinstance(part.verdict, Unread) and part.verdict.blank):
+def _explained(part: PartGrade, prompt: Prompt, came: _CameBack) -> PartGrade:
+    """A part without an answer: where something was written for it a person reads that; where a cell stopped the student reads why,
+    and a person decides where the student's own computer need not have stopped it."""
+    blank = isinstance(part.verdict, Unread) and part.verdict.blank
+    if {prompt.name, prompt.key} & came.second:
+        return _by_second_run(part, prompt, came)
+    run_for_it = any(each.found_in in {"function", "figure"} for each in prompt.answer_types)
+    if not blank and not (run_for_it and not part.waits and part.points < part.out_of):
         return part
-    run = runs.get(answer_id(prompt.key, prompt.part))
-    status, error = (
-        ("ok", "") if run is None or run.error.startswith(WITHOUT_QUOTES) else (run.status, run.error)
-    )
-    if status == "ok":
-        return _left_to_a_person(part, prompt, notebook)
-    sentence = {
-        "error": _("No answer was found: the cell of this part stopped with {error}.", error=error),
-        "timeout": _("No answer was found: the cell of this part ran too long and was stopped."),
-        "not run": _("No answer was found: the cell of this part was not run."),
-    }[status]
+    if blank and (uncertain := came.uncertain.get(prompt.name, came.uncertain.get(prompt.key))) is not None:
+        return _waiting(part, _order_matters(), text_typed(uncertain))
+    own = came.own_cell(prompt)
+    source = str(own.source) if own is not None else ""
+    error = came.error_of(own)
+    if blank and came.is_above_its_names(own):
+        sentence = _(
+            "Your cell uses a name that only a cell below it makes, and cannot be run twice. Your teacher will mark this part."
+        )
+        return _waiting(part, sentence, source)
+    blame = came.stops.of_part(prompt, came.notebook)
+    own_fault = blame is None or blame == came.index_of(own)
+    if blank and own_fault and error.startswith(WITHOUT_QUOTES):
+        left = _left_to_a_person(part, prompt, came)
+        if left is not part:
+            return left
+    if run_for_it and (package := came.package_missed(prompt)):
+        came.packages[prompt.key] = package
+        why = why_stopped(CellStop("package", package))
+        return _waiting(part, needs_person(label(prompt), why), source)
+    if blame is None:
+        return _left_to_a_person(part, prompt, came) if blank else part
+    cell = came.stops.cells[blame]
+    if not blank and not cell.waits:
+        return part
+    came.lost[prompt.key] = blame
+    why = why_stopped(cell.stop, came.sheet.problem_set.packages, cell.state)
+    if not own_fault or own is None:
+        why = _("it needs a cell that stopped: {why}", why=why)
+    if cell.waits:
+        return _waiting(part, needs_person(label(prompt), why), source)
+    sentence = no_answer(label(prompt), why)
     return replace(part, verdict=Unread(sentence, blank=True), feedback=sentence)
 
 
-def _left_to_a_person(part: PartGrade, prompt: Prompt, notebook: Notebook) -> PartGrade:
+def _by_second_run(part: PartGrade, prompt: Prompt, came: _CameBack) -> PartGrade:
+    """A part whose value came when its cell was run a second time: what is not right may be due to the order of the cells, or the
+    names may be letters of a formula that another exercise's cells happen to make."""
+    if isinstance(part.verdict, Right | Follows):
+        came.accepted.add(prompt.key)
+        return part
+    left = _left_to_a_person(part, prompt, came)
+    value = came.values.get(prompt.name, came.values.get(prompt.key, Nothing()))
+    return left if left is not part else _waiting(part, _order_matters(), text_typed(value))
+
+
+def _order_matters() -> str:
+    return _(
+        "Your cells stand in another order than you ran them in, and the order makes a difference here. "
+        "Your teacher will mark this part."
+    )
+
+
+def _waiting(part: PartGrade, sentence: str, answer: str) -> PartGrade:
+    """The part without points, for a person to mark by this text."""
+    return replace(part, verdict=Unmarked(sentence), points=0.0, answer=answer, feedback=sentence)
+
+
+def _left_to_a_person(part: PartGrade, prompt: Prompt, came: _CameBack) -> PartGrade:
     """A part whose cell was changed and gives its name no value, or whose answer stands where none is looked for."""
-    text = written_elsewhere(notebook.node, prompt)
+    text = written_elsewhere(came.notebook.node, prompt) or written_into_question(
+        came.notebook.node, came.ours, prompt
+    )
     if not text:
         return part
+    came.texts.add(prompt.key)
     bare = unquoted(prompt.name, text)
     sentence = (
         _(
@@ -209,19 +341,19 @@ def _left_to_a_person(part: PartGrade, prompt: Prompt, notebook: Notebook) -> Pa
             name=prompt.name,
         )
     )
-    return replace(part, verdict=Unmarked(sentence), answer=text, feedback=sentence)
+    return replace(part, verdict=Unmarked(sentence), points=0.0, answer=text, feedback=sentence)
 
 
-def _unbound(sheet: Worksheet, grades: Iterable[Grade], notebook: Notebook) -> Iterator[str]:
+def _unbound(came: _CameBack, grades: Iterable[Grade]) -> Iterator[str]:
     """A note on each part that waits for a person because its cell gives no answer."""
     parts = {(grade.variant.problem.code, part.part.id): part for grade in grades for part in grade.parts}
-    for prompt in sheet.prompts:
-        part, text = parts[prompt.problem.code, prompt.part.id], written_elsewhere(notebook.node, prompt)
-        if text and part.waits and part.answer == text:
+    for prompt in came.sheet.prompts:
+        part = parts[prompt.problem.code, prompt.part.id]
+        if prompt.key in came.texts and part.waits:
             yield _(
                 "The cell of {name} gives no answer; your teacher will read its text: {text}",
                 name=prompt.name,
-                text=one_line(text),
+                text=one_line(part.answer),
             )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from corollary.answers.verdict import Unmarked, Verdict
+from corollary.grading.stopped_cells import StoppedCell
 from corollary.problem.part import Part
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant
@@ -71,7 +72,8 @@ class Grade:
 @dataclass(frozen=True, slots=True)
 class Marked:
     """A whole submission, marked. `trouble` is a sentence when something went wrong with it as a whole; `late` in seconds;
-    `notes` are sentences on what was noticed, such as an edited statement: told, and not marked."""
+    `notes` are sentences on what was noticed, such as an edited statement: told, and not marked; `stopped` are the cells that did
+    not run to their end."""
 
     student: Student
     grades: tuple[Grade, ...]
@@ -82,6 +84,7 @@ class Marked:
     late: float
     late_share: float
     notes: tuple[str, ...] = ()
+    stopped: tuple[StoppedCell, ...] = ()
     machine_failed: bool = (
         False  # the notebook could not be run, for no reason of its own: nothing is to be recorded
     )

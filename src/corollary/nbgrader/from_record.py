@@ -119,6 +119,7 @@ def _marked(record: Record, submission: Submission) -> Marked | None:
         record.late,
         record.late_share,
         one.notes,
+        record.stopped,
     )
 
 

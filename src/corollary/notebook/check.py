@@ -38,7 +38,7 @@ class Check:
         self._modules = modules
         self._language = code
         self._before: dict[str, object] = {}
-        self._stopped: dict[str, str] = {}
+        self._stopped: set[str] = set()
         self._cells: dict[
             str, str
         ] = {}  # the cell of each answer, where the notebook names the cells it runs
@@ -61,14 +61,14 @@ class Check:
         for name in self._questions:
             unchanged = self._space.get(name) is self._before.get(name)
             if _assigns(name, text) or binds(text, name):
-                self._stopped.pop(name, None)
+                self._stopped.discard(name)
                 self._older.pop(name, None)
                 if cell:
                     self._cells[name] = cell
                 if error is not None and unchanged:
-                    self._stopped[name] = type(error).__name__
+                    self._stopped.add(name)
             elif cell and cell == self._cells.get(name):
-                self._stopped.pop(name, None)
+                self._stopped.discard(name)
                 self._older.pop(name, None)
                 if unchanged:
                     self._older[name] = text
@@ -135,8 +135,8 @@ class Check:
             if bare[0] in "+-.,0123456789":
                 return _("no answer yet: write a number with its unit in quotes: {line}", line=line)
             return _("no answer yet: write a formula, a letter or a word in quotes: {line}", line=line)
-        if error := self._stopped.get(name):
-            return _("no answer yet: its cell stopped with {error}; correct it and run it again", error=error)
+        if name in self._stopped:
+            return _("no answer yet: its cell stopped with an error; correct it and run it again")
         if older is None and self._space.get(name) is not None:
             return ""
         for other in self._space:
@@ -150,7 +150,10 @@ class Check:
         if BARE.fullmatch(before):
             value = before if before[0] in "\"'" else f'"{before}"'
             return _("no answer yet: give the value its name: {line}", line=f"{name} = {value}")
-        if older is not None or written:
+        elsewhere = (
+            "" if "check(" in before or before == last.strip() else text_found(before, blank, name, "")
+        )
+        if older is not None or written or (last and elsewhere):
             return _(
                 "no answer yet: its cell gives {name} no value; write {line}", name=name, line=f"{name} = …"
             )

@@ -77,14 +77,40 @@ def written_elsewhere(nb: NotebookNode, prompt: Prompt) -> str:
         return ""
     named, own = cells_by_id(nb), answer_id(prompt.key, prompt.part)
     cell = named.get(own)
-    text = (
-        text_found(str(cell.source), its_type.blank(prompt.question), prompt.name) if cell is not None else ""
-    )
+    text = ""
+    if cell is not None:
+        # A cell that was turned to Markdown runs nothing, whatever it computes.
+        runs = prompt.name if cell.cell_type == "code" else ""
+        text = text_found(str(cell.source), its_type.blank(prompt.question), prompt.name, runs)
     if text:
         return text
     others = (str(each.source) for each in nb.cells if each is not cell and grade_id(each) != prompt.key)
     found = (assigned(source, name) for source in others for name in (prompt.name, prompt.key))
-    return next(filter(None, found), "")
+    return next(filter(None, found), "") or _written_below(nb, prompt)
+
+
+def written_into_question(nb: NotebookNode, ours: Mapping[str, str], prompt: Prompt) -> str:
+    """The lines that were added to a part's question, which else is as it was handed out: `ours` has the sources by cell."""
+    name = f"{prompt.key}_text"
+    cell, asked = cells_by_id(nb).get(name), ours.get(name, "").strip()
+    source = str(cell.source).strip() if cell is not None else ""
+    if not asked or not source.startswith(asked):
+        return ""
+    return text_found(source.removeprefix(asked), "", prompt.name, "")
+
+
+def _written_below(nb: NotebookNode, prompt: Prompt) -> str:
+    """What stands in cells of the student's own between the question and the next cell that was handed out for something else."""
+    own, texts, below = {answer_id(prompt.key, prompt.part), prompt.key}, list[str](), False
+    for cell in nb.cells:
+        name = grade_id(cell)
+        if name == f"{prompt.key}_text":
+            below = True
+        elif below and name and name not in own:
+            break
+        elif below and not name:
+            texts.append(text_found(str(cell.source), "", prompt.name, ""))
+    return "\n".join(filter(None, texts))
 
 
 def code_to_run(nb: NotebookNode, handed_out: NotebookNode) -> tuple[tuple[str, str], ...]:
@@ -102,6 +128,15 @@ def code_to_run(nb: NotebookNode, handed_out: NotebookNode) -> tuple[tuple[str, 
         if name != "setup" and str(cell.source).strip() not in ours:
             run.append((cell.get("id", name), cell.source))
     return tuple(run)
+
+
+def ran_to_its_end(nb: NotebookNode) -> dict[str, bool]:
+    """By the id of each cell: whether the file says that it was run, and did not end in an error."""
+    return {
+        str(cell.get("id", "")): isinstance(cell.get("execution_count"), int)
+        and all(each.get("output_type") != "error" for each in cell.get("outputs", ()))
+        for cell in nb.cells
+    }
 
 
 def plot_cells(nb: NotebookNode, sheet: Worksheet) -> dict[str, str]:

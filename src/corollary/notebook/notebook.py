@@ -26,6 +26,7 @@ from corollary.notebook.locate import cell_id
 from corollary.notebook.packing import catalogues, modules
 from corollary.notebook.worksheet import Exercise, Prompt, Worksheet
 from corollary.problem.dates import in_words
+from corollary.problem.packages import listed
 from corollary.units.unit_table import rows_of_others
 from corollary.version import DISTRIBUTION, __version__
 
@@ -211,12 +212,24 @@ def _cells(sheet: Worksheet) -> Iterator[NotebookNode]:
     yield reading_cell("title", _title(sheet))
     of_chapter = any(OF_CHAPTER.match(exercise.problem.code) for exercise in sheet.exercises)
     numbers = f"\n{_(EQUATION_NUMBERS)}" if of_chapter else ""
-    yield reading_cell("how_to_answer", _(HOW_TO_ANSWER) + numbers)
+    yield reading_cell("how_to_answer", _(HOW_TO_ANSWER) + numbers + _packages(sheet))
     yield program_cell("setup", check_source(sheet), folded=True)
     for exercise in sheet.exercises:
         yield from _exercise_cells(exercise)
     yield reading_cell("closing", _(CLOSING))
     yield program_cell("check_all", _checking(""))
+
+
+def _packages(sheet: Worksheet) -> str:
+    """What cells may import, where the set or its course declares it."""
+    if sheet.problem_set.packages is None or all(
+        each.found_in == "cell" for prompt in sheet.prompts for each in prompt.answer_types
+    ):
+        return ""
+    names = ", ".join(f"`{each}`" for each in listed(sheet.problem_set.packages))
+    return "\n\n" + _(
+        "Your cells may import these packages, which are there when they are marked: {names}.", names=names
+    )
 
 
 def _exercise_cells(exercise: Exercise) -> Iterator[NotebookNode]:

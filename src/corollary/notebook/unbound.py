@@ -14,10 +14,12 @@ LONGEST = 80
 NO_ANSWER = re.compile(r"\bNone\b|\W|_")  # what may stand in a cell without being an answer
 
 
-def text_found(source: str, blank: str, name: str) -> str:
+def text_found(source: str, blank: str, name: str, runs: str | None = None) -> str:
     """What a student wrote into an answer cell that was handed out as `blank`: without the lines of the blank, imports, and an
-    assignment of nothing to `name`; empty where nothing is left, and where the cell computes the value of `name`."""
-    if _computes(source, name) and not unquoted(name, source):
+    assignment of nothing to `name`; empty where nothing is left, and where the cell computes the value of `runs` (of `name` when
+    left out, of nothing when empty)."""
+    runs = name if runs is None else runs
+    if runs and _computes(source, runs) and not unquoted(runs, source):
         return ""
     handed_out = {line.strip() for line in blank.splitlines()}
     remarks = [found[0].strip() for line in handed_out if (found := REMARK.search(line))]

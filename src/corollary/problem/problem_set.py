@@ -17,6 +17,7 @@ from corollary.problem.dates import HOW_TO_WRITE, REVEAL, Reveal, moment
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Node, Reader, TableNode, TextNode, split
 from corollary.problem.late_penalty import IN_TIME, Delay, LateSteps, read_late_steps, rule_in_words
+from corollary.problem.packages import fault, module_named
 from corollary.problem.packed_pictures import packed
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
@@ -169,9 +170,11 @@ class Usual:
     zone: tzinfo | None = None
     reveal: Reveal = "no"
     late_steps: LateSteps | None = None
+    packages: tuple[str, ...] | None = None  # that students may import; None: nothing is said of them
 
 
 USUAL = Usual()
+NO_PACKAGES = ("", "none", "no")  # besides those that are always there
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,7 +195,8 @@ class Scheme:
 class ProblemSet:
     """`weights` multiply the points of each problem's parts; `due` and `opens` are moments with a zone, or None. `problems` has
     those of all `pools`, of which a student gets some; `shuffled`: each in an order of their own. `tries` is how many hand-ins
-    count, None for any number. `file` is the file it was read from. `late_steps`: None where late work keeps one share."""
+    count, None for any number. `file` is the file it was read from. `late_steps`: None where late work keeps one share. `packages`
+    are those declared as what students may import, None where nothing is."""
 
     name: str
     title: str
@@ -209,6 +213,7 @@ class ProblemSet:
     tries: int | None = None
     file: Path | None = None
     late_steps: LateSteps | None = None
+    packages: tuple[str, ...] | None = None
 
     def delay(self, due: datetime, when: datetime) -> Delay:
         """How late a hand-in at a moment is for who has this deadline, and what is left of its marks."""
@@ -354,6 +359,7 @@ def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
     credit = front.table_of("credit")
     scheme = _scheme(path, credit, complaints)
     late_steps = _late_steps(front, credit, due, scheme.late, usual)
+    packages = _packages(front, usual)
     listed = read_problems(bank, front)
     front.finish()
     if not front.list_of("problems"):
@@ -379,6 +385,7 @@ def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
         tries,
         path,
         late_steps,
+        packages,
     )
 
 
@@ -390,6 +397,22 @@ def _late_steps(
     if "late" in front.table.entries:
         return read_late_steps(front, table, due, share)
     return None if "late" in credit.entries else usual.late_steps
+
+
+def _packages(front: Reader, usual: Usual) -> tuple[str, ...] | None:
+    """The modules under `packages:`, which is a list, or words between commas; the course's where the set says nothing."""
+    if "packages" not in front.table.entries:
+        return usual.packages
+    found: list[str] = []
+    for node in front.list_of("packages"):
+        for word in node.text.split(",") if isinstance(node, TextNode) else ("",):
+            if (word := word.strip()) in NO_PACKAGES:
+                continue
+            if complaint := fault(word):
+                front.complain(node.line, complaint)
+            else:
+                found.append(module_named(word))
+    return tuple(dict.fromkeys(found))
 
 
 def _tries(front: Reader) -> int | None:

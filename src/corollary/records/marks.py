@@ -15,6 +15,7 @@ from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, 
 from corollary.atomic import write_each_whole, write_whole
 from corollary.grading.mark_record import marked_record
 from corollary.grading.part_grades import Marked, NearMiss
+from corollary.grading.stopped_cells import StoppedCell, package_state
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import BESIDE, Course
 from corollary.records.manual_marks import (
@@ -96,7 +97,8 @@ class PartRecord(msgspec.Struct, frozen=True):
 class Record(msgspec.Struct, frozen=True):
     """How a student's marks in one set came about: answers, verdicts, variants, isolation, and the fingerprint of all that
     they depend on. Parts go by their name in the notebook (X12_5_a); `late` in seconds; `answers` holds a digest of what the
-    student wrote for each, `depends` says what else the marks depend on, by name: a digest of each, and when it was handed in."""
+    student wrote for each, `stopped` the cells that did not run to their end, `depends` says what else the marks depend on, by
+    name: a digest of each, and when it was handed in."""
 
     points: float
     out_of: float
@@ -113,6 +115,7 @@ class Record(msgspec.Struct, frozen=True):
     version: str = ""
     answers: dict[str, str] = {}
     depends: dict[str, str] = {}
+    stopped: tuple[StoppedCell, ...] = ()
 
     def why_again(self, part: str, mark: ManualMark) -> str:
         """Why a person is to look again at what a person gave, `mark` being out of what the part earns now; empty when not."""
@@ -148,9 +151,34 @@ def record_of(
         "handed_in": handed_in(marked),
         "rows": rows(marked),
         "answers": dict(answers),
-        "depends": dict(depends),
+        "depends": _without_packages(depends) | packages_missed(marked.stopped),
     }
     return msgspec.convert(marked_record(marked) | about | {"version": __version__}, Record)
+
+
+THE_PACKAGE = "the package "
+"""The head of the names by which marks depend on packages that were missing."""
+
+
+def packages_missed(stopped: Iterable[StoppedCell]) -> dict[str, str]:
+    """What marks depend on besides: the packages that cells could not import, each with its state then."""
+    return {
+        f"{THE_PACKAGE}{each.about}": each.state for each in stopped if each.kind == "package" and each.state
+    }
+
+
+def packages_now(record: Record | None, declared: Sequence[str] | None) -> dict[str, str]:
+    """The state by now of the packages that were missing when these marks were given."""
+    names = [
+        name.removeprefix(THE_PACKAGE)
+        for name in (record.depends if record else {})
+        if name.startswith(THE_PACKAGE)
+    ]
+    return {f"{THE_PACKAGE}{name}": package_state(name, declared) for name in names}
+
+
+def _without_packages(depends: Mapping[str, str]) -> dict[str, str]:
+    return {name: state for name, state in depends.items() if not name.startswith(THE_PACKAGE)}
 
 
 def handed_in(marked: Marked) -> HandedIn:

@@ -13,7 +13,7 @@ from corollary.grading.submission import CREDIT, JUDGED_BY, LATE_SHARE, WEIGHTS,
 from corollary.records.assignments import AssignedSheet
 from corollary.records.deadlines import Deadlines, Terms
 from corollary.records.files import Course
-from corollary.records.marks import PartRecord, Record
+from corollary.records.marks import THE_PACKAGE, UNMARKED, PartRecord, Record
 from corollary.records.submissions import handed_in
 from corollary.sandbox.file import bytes_of
 
@@ -138,6 +138,13 @@ def is_handed_in_anew(old: Record, depends: Mapping[str, str]) -> bool:
     """Whether the student handed in another notebook since the marks were given, which alone says so: its time may be a file's
     that was lost or copied."""
     return old.depends.get(NOTEBOOK) != depends.get(NOTEBOOK)
+
+
+def is_completed(old: Record, depends: Mapping[str, str], change: Change) -> bool:
+    """Whether nothing changes but parts that waited because a package was missing: installing it was asked for by that."""
+    waited = all(each.verdict_before == UNMARKED and not each.by_hand for each in change.parts)
+    names = changed(old, depends)
+    return waited and bool(names) and all(name.startswith(THE_PACKAGE) for name in names)
 
 
 def is_extended(old: Record, depends: Mapping[str, str], change: Change, deadlines: Deadlines) -> bool:

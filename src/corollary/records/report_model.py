@@ -23,6 +23,7 @@ from corollary.records.near_miss_groups import NearMisses, near_misses, near_mis
 from corollary.records.outside_changes import OutsideChange, read_outside
 from corollary.records.regrade_requests import open_requests
 from corollary.records.rubrics import RubricCount, rubric_counts
+from corollary.records.stopped_table import StoppedRow, stopped_record, stopped_rows
 from corollary.records.submissions import (
     UNUSABLE,
     guessed_time,
@@ -88,7 +89,8 @@ class Report:
     """A graded problem set in sum; `missing` are students of the roster who handed in nothing; `shared` proves nothing,
     and `coincidences` are as many more that chance explains; `nobodys` are the files collected of which nobody knows whose they are,
     with the reason; `unusable` says of a student why what was handed in cannot be marked. `excused` need not hand in, and are counted nowhere,
-    though their work is marked. `rubric` counts the items that persons ticked, `outside` are scores changed in the gradebook that
+    though their work is marked. `stopped` says which cells stopped, and what to do.
+    `rubric` counts the items that persons ticked, `outside` are scores changed in the gradebook that
     nobody has agreed to, `requests` those for regrading that are open. `names` are those of the roster, by id."""
 
     handed_in: tuple[HandedIn, ...]
@@ -103,6 +105,7 @@ class Report:
     nobodys: tuple[tuple[str, str], ...] = ()
     coincidences: int = 0
     near_misses: tuple[NearMisses, ...] = ()
+    stopped: tuple[StoppedRow, ...] = ()
     rubric: tuple[RubricCount, ...] = ()
     outside: tuple[OutsideChange, ...] = ()
     requests: tuple[OpenRequest, ...] = ()
@@ -182,7 +185,7 @@ def report_of(
     excused = [student for student in roster if deadlines.excused(student)]
     roster = [student for student in roster if student not in excused]
     by_student = read_marks(course, problem_set, roster, manual)
-    records = by_student.values()
+    records = list(by_student.values())
     rows = [row for record in records for row in record.rows]
     rows.sort(key=lambda row: places.get((row.problem, row.part), len(places)))
     shared = [each for each in read_shared(course, problem_set) if only is None or each.student in only]
@@ -222,6 +225,7 @@ def report_of(
             if student in known
         ),
     )
+    return replace(found, stopped=stopped_rows(records, name))
 
 
 def _with_guess(course: Course, name: str, one: HandedIn) -> HandedIn:
@@ -304,6 +308,7 @@ def report_record(report: Report) -> dict[str, object]:
         "parts": [{**asdict(part), "counts": dict(part.counts)} for part in report.parts],
         "misconceptions": [{**asdict(met), "count": len(met.students)} for met in report.met],
         "waiting": [asdict(one) for one in report.waiting],
+        "stopped": list(map(stopped_record, report.stopped)),
         "near_misses": list(map(near_misses_record, report.near_misses)),
         "rubric": [{**asdict(one), "count": len(one.students)} for one in report.rubric],
         "outside": [msgspec.to_builtins(one) for one in report.outside],

@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from corollary.atomic import write_whole
 from corollary.messages import did_you_mean, languages
@@ -15,6 +15,7 @@ from corollary.problem.dates import REVEAL, machine_zone, zone_named
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, TableNode, TextNode
 from corollary.problem.late_penalty import LateSteps, read_late_steps
+from corollary.problem.packages import fault, module_named
 from corollary.problem.problem_set import Usual
 from corollary.records.term_rules import TermRules, term_complaint, term_rules
 
@@ -45,6 +46,9 @@ TEXT = """\
 # Where formgrader is, for the links of the report.
 # formgrader = "http://localhost:8888/formgrader"
 
+# The packages that students may import, besides numpy, scipy, matplotlib and sympy.
+# packages = ["pandas"]
+
 # The language of what students read.
 # language = "en"
 
@@ -67,12 +71,13 @@ class Settings:
     language: str = ""
     late: LateSteps | None = None
     term: TermRules = field(default_factory=TermRules)
+    packages: tuple[str, ...] | None = None
 
     @property
     def usual(self) -> Usual:
         """What holds for its sets."""
         zone = zone_named(self.timezone) if self.timezone else None
-        return Usual(zone or machine_zone(), REVEAL[self.reveal or "no"], self.late)
+        return Usual(zone or machine_zone(), REVEAL[self.reveal or "no"], self.late, self.packages)
 
 
 def read_settings(folder: Path) -> Settings:
@@ -137,7 +142,8 @@ def write_language(folder: Path, code: str) -> None:
 def _with_bank(folder: Path, table: Mapping[str, Any]) -> dict[str, Any]:
     bank = str(table.get("bank", ""))
     there = (folder / bank).resolve()
-    return {**table, "bank": str(there) if bank and there.is_dir() else bank}
+    packages = {"packages": tuple(map(module_named, table["packages"]))} if "packages" in table else {}
+    return {**table, "bank": str(there) if bank and there.is_dir() else bank, **packages}
 
 
 def _line(text: str, name: str) -> int:
@@ -205,6 +211,12 @@ def _late(value: object) -> str:
     return "" if right else f'late: {value}: give a table, as late = {{daily = "10 %", last = "7 days"}}'
 
 
+def _packages(value: object) -> str:
+    if not isinstance(value, list):
+        return 'packages: give a list of names, as ["pandas"], or [] for none but the usual ones'
+    return next((complaint for each in cast("list[object]", value) if (complaint := fault(each))), "")
+
+
 CHECKS: dict[str, Callable[[object], str]] = {
     "timezone": _timezone,
     "bank": _bank,
@@ -216,4 +228,5 @@ CHECKS: dict[str, Callable[[object], str]] = {
     "language": _language,
     "late": _late,
     "term": term_complaint,
+    "packages": _packages,
 }

@@ -20,6 +20,7 @@ from markupsafe import Markup
 
 from corollary.answers.verdict import Unmarked, Unread
 from corollary.grading.part_grades import Grade, Marked, PartGrade
+from corollary.grading.stopped_cells import package_state, why_stopped
 from corollary.messages import catalogue, in_convention, spoken
 from corollary.notebook.worksheet import Prompt, exercise
 from corollary.problem.dates import in_words
@@ -32,6 +33,7 @@ from corollary.render.page import drawing, page
 from corollary.render.request_form import form_address, request_form
 from corollary.render.wording import BLANK, BY_HAND, LOOKS, Look, earned, item_points, spell
 from corollary.sandbox.job import CellRun, Figure
+from corollary.sandbox.stop_kinds import CellStop, stop_of
 
 _ = catalogue(__name__)
 
@@ -131,7 +133,11 @@ def page_facts(
         marked.student.name,
         tuple(_exercise_facts(grade, pictures, solutions or {}, rubric) for grade in marked.grades),
         pictures.get("", ()),
-        tuple(_stopped(run, parts) for run in marked.runs if run.status in {"error", "timeout"}),
+        tuple(
+            _stopped(run, stop, parts, problem_set)
+            for run in marked.runs
+            if (stop := stop_of(run)) is not None and stop.kind != "not run"
+        ),
         sum(run.status == "not run" for run in marked.runs),
         "" if due is None else in_words(due),
         late,
@@ -223,13 +229,15 @@ def _pictures(figures: Sequence[Figure], keys: Sequence[str]) -> dict[str, tuple
     return found
 
 
-def _stopped(run: CellRun, parts: Mapping[str, str]) -> tuple[str, str]:
+def _stopped(
+    run: CellRun, stop: CellStop, parts: Mapping[str, str], problem_set: ProblemSet
+) -> tuple[str, str]:
     """The cell, by its part where it has one, and what stopped it. `parts`: `X12.5 (a)` by the name of its answer."""
     name = max((key for key in parts if run.id.startswith(f"{key}_") or run.id == key), key=len, default="")
-    cell = _("Cell of {part}", part=parts[name]) if name else run.id
-    if run.status == "timeout":
-        return cell, _("It ran too long and was stopped.")
-    return cell, run.error or _("It ended in an error.")
+    cell = _("Cell of {part}", part=parts[name]) if name else _("A cell that you added")
+    state = package_state(stop.about, problem_set.packages) if stop.kind == "package" else ""
+    why = why_stopped(stop, problem_set.packages, state)
+    return cell, f"{why[0].upper()}{why[1:]}."
 
 
 HYPHEN_AS_MINUS = re.compile(r"(?<![\w.^])-(?=[\d.])")

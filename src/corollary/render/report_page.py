@@ -14,11 +14,12 @@ from rich.table import Table
 from rich.text import Text
 
 from corollary.answers.explain.judging import by_teacher
-from corollary.messages import visible
+from corollary.messages import few, visible
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.collusion import SHARING
 from corollary.records.marks import HandedIn, Row
 from corollary.records.report_model import PartTally, Report
+from corollary.records.stopped_table import StoppedRow
 from corollary.render.marks_by_hand_tables import by_hand_tables, named, noticed_by, score
 from corollary.render.page import page
 from corollary.render.statistics_table import EFFECTS, between, in_all, p_value, percent_between
@@ -61,6 +62,13 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
             ),
         )
         yield from _more(len(report.met))
+    if report.stopped:
+        yield _table(
+            STOPPED,
+            ("what", "students", "parts without an answer", "what to do"),
+            ((row.what, row.who, parts_lost(row), row.to_do) for row in report.stopped[:MOST]),
+        )
+        yield from _more(len(report.stopped))
     if waiting := _waiting_answers(report):
         yield _table(
             "Waits for marking",
@@ -130,6 +138,16 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
         yield Text(f"\nExcused: {report.some(report.excused, MOST)}")
     for line, count in report.isolation.items():
         yield Text(f"\n{count} ran behind {line}", style="dim")
+
+
+STOPPED: Final = "Stopped cells"
+
+
+def parts_lost(row: StoppedRow) -> str:
+    """The parts that have no answer because of a stopped cell, and whether they wait."""
+    if not row.parts:
+        return "none"
+    return few(row.labels, MOST_IN_A_CELL) + (" (for marking)" if row.waits else "")
 
 
 def columns(report: Report) -> dict[str, Look]:
@@ -287,6 +305,7 @@ def report_page(
         script="report.js",
         report=report,
         sharing=SHARING,
+        parts_lost=parts_lost,
         coincidences=coincidences(report),
         different_totals=different_totals(report) if uneven else "",
         mean_share=fmean(report.shares) if report.shares else 0.0,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated, Literal
 
 import msgspec
@@ -15,10 +15,12 @@ Argument = float | int | tuple[float, ...] | str
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """One code cell to run, in its order; `id` is the notebook cell's id."""
+    """One code cell to run, in its order; `id` is the notebook cell's id. `again`: where it stops at a name that no cell above it
+    makes and another one does, it may be run a second time after all others."""
 
     id: str
     source: str
+    again: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +64,8 @@ class Limits:
     file_bytes: int = 16 << 20
 
 
-Status = Literal["ok", "error", "timeout", "not run"]
+Status = Literal["ok", "error", "timeout", "ended", "killed", "not run"]
+"""`ended`: the process died in the cell; `killed`: by the signal that too much memory is answered with."""
 
 # What a worker describes at most (worker/figures.py): a frame with more is forged.
 _Points = Annotated[tuple[float, ...], msgspec.Meta(max_length=5_000)]
@@ -116,16 +119,19 @@ class CellRun:
 
 @dataclass(frozen=True, slots=True)
 class CallResult:
-    """What a called function returned and printed; `trouble` is "" or a sentence on why there is no value."""
+    """What a called function returned and printed; `trouble` is "" or a sentence on why there is no value, `error` the error that it
+    raised, in one line."""
 
     value: Value
     output: str
     trouble: str
+    error: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class ExecutionResult:
-    """What came back of one job; `trouble` is "" or one sentence on what ended it early.
+    """What came back of one job; `trouble` is "" or one sentence on what ended it early. `again` has the answers that appeared only
+    when a cell was run a second time, by the cell's index; that run stands in `cells`.
 
     With `machine_failed` the notebook was not run to its end for no reason of its own (no room on the disk, a process that
     could not be started or was killed from outside): nothing may be concluded from what is missing.
@@ -138,3 +144,4 @@ class ExecutionResult:
     isolation: Isolation
     trouble: str
     machine_failed: bool = False
+    again: dict[int, dict[str, Value]] = field(default_factory=dict[int, dict[str, Value]])

@@ -128,7 +128,7 @@ Output = Stream | Display | Result | Error
 
 
 class Began(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="began", tag_field="t"):
-    what: Literal["cell", "call", "picture"]
+    what: Literal["cell", "call", "again", "picture"]
     index: _Index
 
 
@@ -139,6 +139,7 @@ class CellFrame(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="ce
     outputs: Annotated[list[Output], msgspec.Meta(max_length=1_000)]
     figures: Annotated[list[FigureFrame], msgspec.Meta(max_length=20)]
     values: Annotated[dict[_Words, Encoded], msgspec.Meta(max_length=10_000)]
+    again: bool = False
 
 
 class CallFrame(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="call", tag_field="t"):
@@ -147,6 +148,7 @@ class CallFrame(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="ca
     output: _Words
     trouble: Literal["", "missing", "no function", "raised", "late"]
     error: _Words
+    again: bool = False
 
 
 class Done(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="done", tag_field="t"):

@@ -88,9 +88,14 @@ class Zygote:
     """
 
     def __init__(
-        self, limits: Limits, without: frozenset[str] = frozenset(), probe_only: bool = False
+        self,
+        limits: Limits,
+        without: frozenset[str] = frozenset(),
+        probe_only: bool = False,
+        packages: tuple[str, ...] = (),
     ) -> None:
         self._limits = limits
+        self._packages = packages
         self._probe_only = probe_only
         try:
             self._base = new_base()
@@ -232,7 +237,7 @@ class Zygote:
             "modules": [(name, (_WORKER / f"{name}.py").read_text(encoding="utf-8")) for name in modules],
             "probe_only": self._probe_only,
             "libraries": libraries,
-            "preload": _PRELOAD,
+            "preload": (*_PRELOAD, *self._packages),
             "without": sorted(without),
             "limits": asdict(self._limits),
             "base": str(self._base.root),

@@ -58,6 +58,7 @@ class Session:
         self.figures = []
         self.to_draw = []  # each figure, and its description from when it was shown
         self.printed = 0
+        self.no_name = ""  # the name that the last cell or call stopped at, for nothing has made it
         figures.on_show.append(lambda figure, display=True: _add_figure(self, figure, display))
 
 
@@ -66,16 +67,37 @@ def execute(shell, outputs, job):
     session = Session(shell, outputs, job)
     outputs.most_bytes = job["limits"]["output_bytes"]
     getpass.getpass = shells.refuse_input
+    stopped, calls = {}, []
     for index, source in enumerate(job["cells"]):
         send({"t": "began", "what": "cell", "index": index})
         send(*_run_cell(session, index, source))
+        if session.no_name and job["again"][index]:
+            stopped[index] = session.no_name
     for index, call in enumerate(job["calls"]):
         send({"t": "began", "what": "call", "index": index})
-        send(*_call(session, index, call))
+        frames = _call(session, index, call)
+        send(*frames)
+        if session.no_name or frames[0]["trouble"] == "missing":
+            calls.append((index, call))
+    if _run_again(session, stopped):
+        for index, call in calls:
+            send({"t": "began", "what": "call", "index": index})
+            send(*({**frame, "again": True} for frame in _call(session, index, call)))
     send({"t": "done", "pictures": len(session.to_draw)})
     for index, (figure, description) in enumerate(session.to_draw):
         send({"t": "began", "what": "picture", "index": index})
         send(*_draw(session, index, figure, description))
+
+
+def _run_again(session, stopped):
+    """Each cell that stopped at a name which another has made by now, once, in their order; whether there was any."""
+    space, ran = session.shell.user_ns, False
+    while (index := next((each for each, name in stopped.items() if name in space), None)) is not None:
+        del stopped[index]
+        send({"t": "began", "what": "again", "index": index})
+        send(*({**frame, "again": True} for frame in _run_cell(session, index, session.job["cells"][index])))
+        ran = True
+    return ran
 
 
 def warm_up(shell, outputs, sources):
@@ -91,7 +113,7 @@ def warm_up(shell, outputs, sources):
 
 def _run_cell(session, index, source):
     session.outputs.start()
-    session.figures = []
+    session.figures, session.no_name = [], ""
     _forget_folders()
     error = ""
     values = {}
@@ -102,6 +124,7 @@ def _run_cell(session, index, source):
         failed = result.error_before_exec or result.error_in_exec
         if failed is not None:
             error = _one_line(failed)
+            session.no_name = _name_missed(failed)
         figures.show_all()
         _read_printed(session)
         values = _changed(session)
@@ -181,6 +204,7 @@ def _draw(session, index, figure, description):
 def _call(session, index, call):
     name, arguments, seconds = call
     session.outputs.start()
+    session.no_name = ""
     function = session.shell.user_ns.get(name)
     if function is None:
         return _result(session, index, ("nothing",), "missing")
@@ -197,6 +221,7 @@ def _call(session, index, call):
         session.clock.stop()
     except BaseException as error:
         trouble, raised = "raised", _one_line(error)
+        session.no_name = _name_missed(error)
     session.clock.stop()
     if session.clock.rang:
         value, trouble = ("nothing",), "late"
@@ -215,6 +240,12 @@ def _result(session, index, value, trouble, raised=""):
         "error": raised,
     }
     return frame, {**frame, "value": ("refused", "size", "", "")}
+
+
+def _name_missed(error):
+    """The name of a plain NameError; empty for every other error, a class of the student's own among them."""
+    name = error.name if type(error) is NameError else ""
+    return name if type(name) is str else ""
 
 
 def _one_line(error):
