@@ -224,8 +224,8 @@ def report_of(
             for (student, part), each in open_requests(course, name).items()
             if student in known
         ),
+        stopped=stopped_rows(records, name),
     )
-    return replace(found, stopped=stopped_rows(records, name))
 
 
 def _with_guess(course: Course, name: str, one: HandedIn) -> HandedIn:
