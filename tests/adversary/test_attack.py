@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import tempfile
-from pathlib import Path
 
 import pytest
 
@@ -28,13 +27,11 @@ def test_nothing_succeeds_here_and_nothing_is_left_behind(capfd: pytest.CaptureF
 
 
 @pytest.mark.skipif(promised() < 3, reason="this kernel has not the features for it")
-def test_without_layers_the_same_cells_succeed(tmp_path: Path) -> None:
-    """Network, and processes of this machine, in reach where nothing holds: the command must see it."""
-    every = frozenset({"namespaces", "Landlock", "seccomp"})
-    done = play(families=("network",), without=every)
+def test_without_layers_the_same_cells_succeed() -> None:
+    """Landlock alone keeps no datagram in: the command must see it."""
+    done = play(families=("network",), without=frozenset({"namespaces", "seccomp"}))
     harms = {each.name: each.harm for each in done.succeeded}
     assert harms["UDP"] == ("sends messages to other programs",)
-    assert "gets through" in harms["listening"]
     assert done.isolation.level == 0
 
 
