@@ -146,7 +146,7 @@ def test_a_thread_left_behind_ends_with_the_notebook(run: Run) -> None:
 def test_a_crash_costs_its_own_cell_alone(run: Run, source: str, words: str) -> None:
     taken = run("a = 8.6", source, "b = 2.5", calls=(FunctionCall("k", "f", ()),))
     assert taken.values == {"a": Real(8.6), "b": Real(2.5)}
-    assert statuses(taken) == ["ok", "error", "ok"]
+    assert statuses(taken) == ["ok", "ended", "ok"]
     if taken.trouble:
         assert words in taken.trouble
         assert taken.trouble.endswith("The rest was run again without it.")
@@ -170,10 +170,10 @@ def test_a_notebook_that_dies_everywhere_is_run_again_a_few_times_only(run: Run)
     assert taken.values["a"] == Real(8.6)
     assert statuses(taken) == [
         "ok",
-        "error",
-        "error",
-        "error",
-        "error",
+        "ended",
+        "ended",
+        "ended",
+        "ended",
         "not run",
         "not run",
         "not run",

@@ -146,5 +146,8 @@ def test_every_command_is_tried_here_or_needs_a_course():
         "new",
         "preview",
         "practise",
+        "share",
+        "term",
+        "forget",
     }
     assert {words[0] for words in [*COMMANDS, *SLOW_COMMANDS]} | elsewhere >= app.commands.keys()

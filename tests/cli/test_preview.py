@@ -368,7 +368,7 @@ def test_an_example_of_an_item_can_be_read_below_a_step(bank, problem, word):
 
 @pytest.mark.parametrize(
     "word",
-    [each for each in FIELDS if each not in ("code", "title", "given", "figure", "alt", "require", "rows")],
+    [each for each in FIELDS if each not in ("code", "title", "given", "figure", "alt", "require", "rows", "variables")],
 )
 def test_an_example_of_a_line_of_the_front_matter_can_be_read(bank, problem, word):  # fmt: skip
     text = re.sub(rf"^{word}:.*\n(?:  .*\n)*", "", problem.read_text(encoding="utf-8"), flags=re.MULTILINE)
@@ -385,12 +385,20 @@ def test_an_example_of_a_given_can_be_read(bank, problem, example):
 @pytest.mark.parametrize(
     "word",
     sorted(
-        KNOWN - {"given", "components", "rows", "columns", "function", "slope", "unit", "points", "expected"}
+        KNOWN
+        - {"given", "components", "rows", "columns", "function", "of", "slope", "unit", "points", "expected"}
     ),
 )
 def test_an_example_of_an_attribute_can_be_read(bank, problem, word):  # fmt: skip
     change(problem, '{#b .value unit="m/s" points=2 ', f'{{#b .value unit="m/s" {ATTRIBUTES[word][1]} ')
     assert read_problem(problem).part("b")
+
+
+def test_an_example_of_a_variable_can_be_read(bank, problem):
+    text = problem.read_text(encoding="utf-8").replace("title:", f"{FIELDS['variables']}\ntitle:", 1)
+    problem.write_text(text, encoding="utf-8")
+    change(problem, '{#b .value unit="m/s" points=2 ', f'{{#b .expression unit="m" {ATTRIBUTES["of"][1]} ')
+    assert read_problem(problem).part("b").of == ("t",)
 
 
 def test_the_preview_of_a_missing_problem_ends_with_a_sentence(tmp_path):

@@ -133,7 +133,7 @@ def test_all_of_it_is_serialized_and_a_table():
     found = set_statistics(report((), marked), features)
     document = json.loads(json.dumps(statistics_record(found)))
     assert [each["part"] for each in document["parts"]] == list("abcdef")
-    assert set(document) == {"parts", "misconceptions", "effects", "unlisted"}
+    assert set(document) == {"parts", "misconceptions", "effects", "unlisted", "rubric"}
     table = list(csv.DictReader(io.StringIO(table_text(statistics_rows(found)))))
     kinds = [each["statistic"] for each in table]
     assert {kind: kinds.count(kind) for kind in kinds} == {

@@ -41,6 +41,7 @@ from corollary.records.lms_file import FilledIn
 from corollary.records.lms_names import LEFT_OUT, is_left_out
 from corollary.records.marks_table import MarksTable, Notation
 from corollary.records.origin import set_of
+from corollary.records.outside_changes import read_outside
 from corollary.render.exports import Target, target
 from corollary.render.paper.sheet import PaperSheet, with_printable_names
 
@@ -121,6 +122,7 @@ def _marks(
             )
     filled = marks_file(chosen, table, None if template is None else Template(template, given["headings"]))
     _say_of_marks(table, filled)
+    _say_of_outside(course, problem_sets)
     word = "" if to == "csv" else f"-{to}"
     name = f"{'-'.join(each.name for each in problem_sets)}{word}.{chosen.ending}"
     about = {
@@ -145,6 +147,7 @@ def _of_one_set(
             say(
                 f"{few(pages.without)}: no file, since their number in {pages.lms.capitalize()} is unknown; give it with --ids"
             )
+        _say_of_outside(course, [problem_set])
         archive = chosen.feedback(pages.files)
         name = f"{problem_set.name}-feedback-{pages.lms}.{chosen.ending}"
         return Made({name: archive}, {"without": pages.without})
@@ -194,6 +197,17 @@ def _say_of_marks(table: MarksTable, made: FilledIn) -> None:
     ):
         if who:
             say(f"{counted(len(who), 'student')} {what}: {few(who)}")
+
+
+def _say_of_outside(course: Course, problem_sets: Sequence[ProblemSet]) -> None:
+    """Scores changed in the gradebook that nobody has agreed to: what is written has the marks of before."""
+    for each in problem_sets:
+        if waiting := read_outside(course, each.name):
+            people = few(sorted({place.student for place in waiting}))
+            say(
+                f"{counted(len(waiting), 'score')} of {each.name} changed in the gradebook, not counted yet ({people}); "
+                f"corollary grade {each.name} shows them and asks"
+            )
 
 
 def _plans(

@@ -11,6 +11,7 @@ FIELDS: Mapping[str, str] = {
     "given": "given:",
     "constants": "constants: [g_n]",
     "rows": "rows: [{body: a hoop, k: 1}, {body: a ball, k: 0.4}]",
+    "variables": "variables: {t: {is: time since the start, from: 0, to: 10, unit: s}}",
     "require": "require: m > 0",
     "where": "where: abs(v - w) > v/5",
     "figure": "figure: |",
@@ -46,6 +47,7 @@ ATTRIBUTES: Mapping[str, tuple[str, str]] = {
     "rows": ("the rows of a table", 'rows="before, after" columns="momentum, energy"'),
     "columns": ("the columns of a table", 'rows="before, after" columns="momentum, energy"'),
     "function": ("the function that a program defines", 'function="fall(m, dt)"'),
+    "of": ("the variables that a formula is of; each is declared under variables:", 'of="t"'),
     "slope": ("the angle of a slope, for directions along it", 'slope="alpha"'),
 }  # fmt: skip
 HOLES: tuple[tuple[str, str, str], ...] = (

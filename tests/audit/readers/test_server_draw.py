@@ -70,10 +70,10 @@ HONEST += [
 HOSTILE = [
     ("    import os\n    os._exit(0)\n", "os._exit"),
     ("    import ctypes\n    ctypes.string_at(0)\n", "crash in compiled code"),
-    ("    open(MARK, 'w').write('x')\n", "Error"),
-    ("    data['params']['m'] = open(MARK).read()\n", "Error"),
+    ("    open(MARK, 'w').write('x')\n", "No such file"),
+    ("    data['params']['m'] = open(MARK).read()\n", "No such file"),
     ("    import prairielearn_of_nobody as pl\n", "prairielearn_of_nobody"),
-    ("    raise ValueError('x' * 10**7)\n", "ValueError"),
+    ("    raise ValueError('x' * 10**7)\n", "stopped with an error (xxx"),
     ("    data['params'].update(m='7' * 10**7, a=1)\n" + ANSWER + "1\n", "params['m']"),
     ("    data['params'].update(m=10**20000, a=1)\n" + ANSWER + "1\n", "too large"),
     ("    data['params'].update(m=1, a=inf)\n" + ANSWER + "1\n", "no finite number"),
