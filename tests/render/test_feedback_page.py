@@ -104,7 +104,7 @@ def test_late_work_says_what_was_kept(of, work):
 def test_trouble_and_stopped_cells_are_told(of, work):
     words = Page(feedback_page(replace(work, trouble="The notebook ends in the middle."), of)).words
     assert "The notebook ends in the middle." in words
-    assert "Cell of P12.14 (b): NameError: name 'x' is not defined" in words
+    assert "Cell of P12.14 (b): It uses x, which no cell above it has given a value." in words
     assert "X12_5_a_answer" not in words
 
 
