@@ -25,7 +25,6 @@ from corollary.records.term_totals import (
     TermTotal,
 )
 from corollary.render.page import page
-from corollary.render.wording import percent
 
 MOST = 10  # rows of a list on a terminal
 FEW = 5  # misconceptions on a terminal where nobody repeated any
@@ -37,14 +36,14 @@ STAR = "* Something went wrong with this hand-in as a whole; corollary report SE
 
 @dataclass(frozen=True, slots=True)
 class SetLine:
-    """One set in the class: how many of each state, and the mean share of those marked, or None."""
+    """One set in the class: how many of each state, and the mean share of what was handed in, a range where marks are not final."""
 
     name: str
     title: str
     due: str
     weight: str
     counts: dict[str, int]
-    mean: float | None
+    mean: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,12 +88,18 @@ def set_lines(term: CourseTerm) -> list[SetLine]:
         results = [line.results[place] for line in term.students]
         states = (MARKED, WAITS, UNGRADED, MISSING, OPEN, EXCUSED, NO_SHEET)
         counts = {state: sum(one.state == state for one in results) for state in states}
-        marked = [one.low for one in results if one.state == MARKED]
+        handed_in = [one for one in results if one.state in (MARKED, WAITS, UNGRADED)]
         due = f"{each.due:%Y-%m-%d}" if each.due is not None else "–"
-        found.append(
-            SetLine(each.name, each.title, due, f"{each.weight:g}", counts, fmean(marked) if marked else None)
-        )
+        found.append(SetLine(each.name, each.title, due, f"{each.weight:g}", counts, _mean(handed_in, 0)))
     return found
+
+
+def _mean(each: Sequence[SetResult | TermTotal], decimals: int) -> str:
+    """A range where one of them is not final, a dash where there is none."""
+    ends = [(one.low, one.high) for one in each if one.low is not None and one.high is not None]
+    if not ends:
+        return "–"
+    return _range(fmean(low for low, _ in ends), fmean(high for _, high in ends), decimals)
 
 
 def rules_text(term: CourseTerm) -> str:
@@ -121,13 +126,9 @@ def behind_text(term: CourseTerm) -> str:
 
 def headline(term: CourseTerm) -> str:
     """The class in a sentence."""
-    final = [line.total.value for line in term.students if line.total.value is not None]
+    totals = [line.total for line in term.students]
     waiting = sum(line.total.low is not None and not line.total.is_final for line in term.students)
-    mean = (
-        f"mean total {100 * fmean(final):.1f} % of {len(final)} whose marks are final"
-        if final
-        else "no total is final"
-    )
+    mean = f"mean total {_mean(totals, 1)}"
     more = f"; {waiting} {'total is a range' if waiting == 1 else 'totals are ranges'}, for answers wait or are not graded"
     students = "1 student" if len(term.students) == 1 else f"{len(term.students)} students"
     sets = "1 set" if len(term.sets) == 1 else f"{len(term.sets)} sets"
@@ -155,7 +156,7 @@ def _pieces(term: CourseTerm, lines: Sequence[MisconceptionTerm]) -> Iterator[Re
                 str(each.counts[EXCUSED]),
                 str(each.counts[WAITS]),
                 str(each.counts[UNGRADED]),
-                "–" if each.mean is None else percent(each.mean),
+                each.mean,
             )
             for each in set_lines(term)
         ),
