@@ -6,6 +6,7 @@ import hashlib
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cache
 
 import msgspec
 
@@ -132,6 +133,7 @@ def misconception_of(code: str, listed: NamedMistake) -> Misconception:
     return Misconception(listed.name) if listed.name else Misconception(listed.text, code)
 
 
+@cache
 def _slip(sentence: str) -> str:
     """The name of a slip, whatever symbol and language its sentence has; the sentence where it has none."""
     for code in languages():
