@@ -37,7 +37,14 @@ def generated(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "generate", folder / "one.md", "--roster", folder / "roster.csv", "--course", folder / "mech"
     )
     assert status == 0, err
-    assert "warning" not in err
+    warning = (
+        "warning: one opens Wednesday 27 November 2999, 00:00 (Europe/Oslo); do not give sheets out before"
+    )
+    assert warning in err
+    assert "past" not in err
+    status, _, err = run("generate", "one", "--course", folder / "mech")
+    assert status == 0, err
+    assert warning not in err
     return folder / "mech"
 
 

@@ -368,7 +368,11 @@ def test_an_example_of_an_item_can_be_read_below_a_step(bank, problem, word):
 
 @pytest.mark.parametrize(
     "word",
-    [each for each in FIELDS if each not in ("code", "title", "given", "figure", "alt", "require", "rows", "variables")],
+    [
+        each
+        for each in FIELDS
+        if each not in ("code", "title", "given", "figure", "alt", "require", "rows", "variables")
+    ],
 )
 def test_an_example_of_a_line_of_the_front_matter_can_be_read(bank, problem, word):  # fmt: skip
     text = re.sub(rf"^{word}:.*\n(?:  .*\n)*", "", problem.read_text(encoding="utf-8"), flags=re.MULTILINE)

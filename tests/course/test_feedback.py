@@ -106,7 +106,9 @@ def test_what_a_person_gave_since_is_in_the_page_that_goes_back(course: Path, tm
         book.db.commit()
     done = exported(course, "--to", "feedback-zip", "--template", tmp_path / "worksheet.csv")
     assert done.returncode == 0, done.stderr
-    assert "1 score of one changed in the gradebook, not counted yet (ada); corollary grade one" in done.stderr
+    assert (
+        "1 score of one changed in the gradebook, not counted yet (ada); corollary grade one" in done.stderr
+    )
     line = [COMMAND, "grade", "one", "--course", course, "--yes"]
     done = forked.run(list(map(str, line)), capture_output=True, encoding="utf-8", timeout=120, check=False)
     assert done.returncode == 0, done.stderr

@@ -9,7 +9,7 @@ from pathlib import Path
 from corollary.cli.ending import FAILS, HOLDS, agreed, answer, refuse, say
 from corollary.cli.pool_points import warn_of_pools
 from corollary.cli.terminal import bar, console
-from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, with_name
+from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, warn_of_dates, with_name
 from corollary.course.generate import Generated, generate
 from corollary.course.personal_data import was_forgotten
 from corollary.course.renew import Renewals, RosterChange, renewals, roster_change, students_before
@@ -25,7 +25,7 @@ from corollary.records.assignments import open_record, sheets
 from corollary.records.corrections import Correction, corrections
 from corollary.records.files import Course, open_course
 from corollary.records.lms_names import LEFT_OUT, is_left_out
-from corollary.records.origin import set_of
+from corollary.records.origin import has_set, set_of
 from corollary.records.settings import read_settings, write_language
 
 
@@ -47,6 +47,8 @@ def run(
     if students is None:
         return FAILS
     is_course = (course / ".corollary" / "key").exists()
+    if not is_course or not has_set(open_course(course), problem_set.name):
+        warn_of_dates(problem_set)  # of a set that is new; later a past date is meant
     warn_of_pools(problem_set)
     warn_of_canvas(problem_set)
     warn_of_languages(problem_set)

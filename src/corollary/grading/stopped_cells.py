@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from corollary.grading.cell_order import CellOrder
 from corollary.messages import catalogue
@@ -11,8 +12,10 @@ from corollary.notebook.locate import answer_id, cells_by_id, plot_id, ran_to_it
 from corollary.notebook.worksheet import Prompt
 from corollary.problem.packages import listed, state_of_package
 from corollary.sandbox.job import Cell, CellRun, ExecutionResult, Limits
-from corollary.sandbox.notebook_file import Notebook
 from corollary.sandbox.stop_kinds import CellStop, Kind, stop_by, stop_of
+
+if TYPE_CHECKING:
+    from corollary.sandbox.notebook_file import Notebook
 
 _ = catalogue(__name__)
 

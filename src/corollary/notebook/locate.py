@@ -8,15 +8,16 @@ import re
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import cast
-
-from nbformat import NotebookNode
+from typing import TYPE_CHECKING, cast
 
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.registry import answer_type
 from corollary.notebook.unbound import assigned, text_found
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.part import Part
+
+if TYPE_CHECKING:  # a report is read without nbformat, which loads for a second
+    from nbformat import NotebookNode
 
 SILENT_CHECK = "def check(*names):\n    pass"
 
