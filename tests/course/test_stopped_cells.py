@@ -88,7 +88,7 @@ STOPPED = {
     "input": ("X12_5_a = float(input('p?'))", "nobody sits at the keyboard"),
     "exit": ("import sys\nsys.exit()\nX12_5_a = VALUE", "sys.exit()"),
     "magic": ("# timed\n%%time\nX12_5_a = VALUE", "%%time"),
-    "memory": ("X12_5_a = VALUE; X12_5_a = bytearray(10**12)", "memory"),
+    "memory": ("numbers = bytearray(10**12)\nX12_5_a = VALUE", "memory"),
     "time": ("while True: pass", "ran longer than 20 s"),
     "version": ("import math\nmath.trapz()\nX12_5_a = VALUE", "math.trapz"),
 }
