@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import asdict
 from pathlib import Path
 
-from corollary.cli.ending import FAILS, HOLDS, answer
+from corollary.cli.ending import FAILS, HOLDS, answer, refuse
 from corollary.cli.left_out import course_around
 from corollary.cli.terminal import bar, console, hanging
 from corollary.course.health import findings
@@ -35,6 +36,8 @@ def run(course: Path | None, attack: bool, as_json: bool) -> int:
 
 def _attacked(as_json: bool) -> int:
     """What hostile hand-ins could do on this machine."""
+    if sys.platform == "win32":
+        refuse("notebooks are not run on Windows; attack the machine that grades, in WSL or in a container")
     from corollary.course.attack.attack import count, play
 
     with bar("attacking a throw-away course", count()) as progress:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import json
 import os
-import resource
 import secrets
 import socket
 import subprocess
@@ -173,16 +172,14 @@ class ThrowawayCourse:
         file = inbox / student / name
         file.parent.mkdir(parents=True)
         file.write_bytes(content)
-        processor, memory = time.process_time(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        processor, memory = time.process_time(), _most_memory()
         try:
             collect(self.course, self.problem_set, [inbox], now=datetime.now(UTC))
         except Exception as error:
             harm.append(f"ends the collecting of all ({type(error).__name__})")
         if time.process_time() - processor > SLOW:
             harm.append(f"holds up the collecting for {time.process_time() - processor:.0f} s")
-        grown = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - memory) * (
-            1 if sys.platform == "darwin" else 1024
-        )
+        grown = _most_memory() - memory
         if grown > MOST_MEMORY:
             harm.append(f"takes {grown >> 20} MB of memory")
         file.unlink()
@@ -407,3 +404,10 @@ def _received(listening: socket.socket) -> bytes:
         return listening.recv(10)
     except BlockingIOError:
         return b""
+
+
+def _most_memory() -> int:
+    """The most memory that this process has had, in bytes."""
+    import resource  # not on Windows, where nothing is marked
+
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024)
