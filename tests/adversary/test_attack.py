@@ -7,7 +7,7 @@ import tempfile
 
 import pytest
 
-from corollary.cli.main import main
+from corollary.cli.commands import app
 from corollary.course.attack.attack import play
 from corollary.course.attack.hostile_notebooks import MARK
 from corollary.course.attack.shown_texts import run_by_page, run_by_spreadsheet, run_by_terminal
@@ -20,7 +20,7 @@ pytestmark = pytest.mark.whole
 @pytest.mark.skipif(promised() < 3, reason="this kernel has not the features for it")
 def test_nothing_succeeds_here_and_nothing_is_left_behind(capfd: pytest.CaptureFixture[str]) -> None:
     before = {*os.listdir(tempfile.gettempdir())}
-    assert main(["doctor", "--attack"]) == 0, capfd.readouterr().out
+    assert app(["doctor", "--attack"], standalone_mode=False) == 0, capfd.readouterr().out
     assert "were withstood" in capfd.readouterr().out
     left = {name for name in os.listdir(tempfile.gettempdir()) if "attack" in name} - before
     assert not left
