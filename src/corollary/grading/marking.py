@@ -73,11 +73,12 @@ def mark(
             return replace(not_marked(sheet, notebook.why, late), machine_failed=True)
         return _unreadable(sheet, keys, notebook.why, late)
     notebook = replace(notebook, node=with_names(notebook.node, sheet))
-    job, order = _job(sheet, keys, notebook, secret)
+    given_out = handed_out(sheet)
+    job, order = _job(sheet, keys, notebook, given_out, secret)
     executed = runner.execute(job)
     if executed.machine_failed:
         return replace(not_marked(sheet, executed.trouble, late), machine_failed=True)
-    came = _came_back(sheet, notebook, job, order, executed)
+    came = _came_back(sheet, notebook, given_out, job, order, executed)
     grades = tuple(_grade(came, keys, exercise.problem.code, secret, reveal) for exercise in sheet.exercises)
     return Marked(
         sheet.student,
@@ -148,14 +149,19 @@ class _CameBack:
 
 
 def _came_back(
-    sheet: Worksheet, notebook: Notebook, job: Job, order: CellOrder, executed: ExecutionResult
+    sheet: Worksheet,
+    notebook: Notebook,
+    given_out: NotebookNode,
+    job: Job,
+    order: CellOrder,
+    executed: ExecutionResult,
 ) -> _CameBack:
     certain, uncertain = dict[str, Value](), dict[str, Value]()
     for index, found in executed.again.items():
         (certain if order.is_certain(index) else uncertain).update(found)
     values, second = executed.values | certain, frozenset(certain)
     stops = stops_in(job.cells, order, executed, notebook, sheet.problem_set.packages)
-    ours = {cell.id: str(cell.source) for cell in handed_out(sheet).cells}
+    ours = {cell.id: str(cell.source) for cell in given_out.cells}
     return _CameBack(sheet, notebook, job, order, executed, values, second, uncertain, stops, ours)
 
 
@@ -168,7 +174,9 @@ def _run_again(came: _CameBack) -> Iterator[str]:
         )
 
 
-def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> tuple[Job, CellOrder]:
+def _job(
+    sheet: Worksheet, keys: Keys, notebook: Notebook, given_out: NotebookNode, secret: bytes
+) -> tuple[Job, CellOrder]:
     """What is asked of the notebook, and its cells' names: nothing in it comes from the key but inputs for the student's functions."""
     calls = [
         ask
@@ -182,7 +190,7 @@ def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> tup
             sheet.student.id,
         )
     ]
-    sources = code_to_run(notebook.node, handed_out(sheet))
+    sources = code_to_run(notebook.node, given_out)
     order = cell_order([source for _, source in sources])
     cells = tuple(
         Cell(name, source, order.may_run_again(index)) for index, (name, source) in enumerate(sources)
@@ -341,7 +349,7 @@ def _left_to_a_person(part: PartGrade, prompt: Prompt, came: _CameBack) -> PartG
             name=prompt.name,
         )
     )
-    return replace(part, verdict=Unmarked(sentence), points=0.0, answer=text, feedback=sentence)
+    return _waiting(part, sentence, text)
 
 
 def _unbound(came: _CameBack, grades: Iterable[Grade]) -> Iterator[str]:
