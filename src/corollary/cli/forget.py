@@ -6,15 +6,14 @@ from collections import Counter
 from dataclasses import asdict
 from pathlib import Path
 
-from corollary.cli.ending import FAILS, HOLDS, agreed, answer, counted, say
+from corollary.cli.ending import FAILS, HOLDS, agreed, answer, counted, say, say_each
 from corollary.cli.terminal import console, countdown
-from corollary.course.personal_data import PersonalData, find_data, take_out, was_forgotten
+from corollary.course.personal_data import PersonalData, find_data, take_out
 from corollary.messages import visible
 from corollary.problem.roster import Student
 from corollary.records.files import Course, UnknownStudent, one_writer, open_course
+from corollary.records.forgotten import forgotten
 from corollary.records.person import Person, find_person, person_of
-
-MOST_NAMED = 10
 
 
 def run(student: str, course: Path, dry_run: bool, yes: bool, as_json: bool) -> int:
@@ -44,7 +43,7 @@ def _person(course: Course, name: str) -> Person:
     try:
         return find_person(course, name)
     except UnknownStudent:
-        if not was_forgotten(course, name):
+        if not forgotten(course, [name]):
             raise
         return person_of(course, Student(name))
 
@@ -85,10 +84,7 @@ def _show(found: PersonalData, as_json: bool, student: str, *, done: bool, stder
         out.print(table)
     else:
         out.print(f"nothing of {student} is in this course", highlight=False)
-    for place, why in list(found.left.items())[:MOST_NAMED]:
-        say(f"{visible(place)}: {why}")
-    if len(found.left) > MOST_NAMED:
-        say(f"and {len(found.left) - MOST_NAMED} more; --json lists all")
+    say_each((f"{visible(place)}: {why}" for place, why in found.left.items()), "--json lists all")
     if done:
         deleted, changed = found.count("delete"), found.count("change", "write again")
         out.print(f"{counted(deleted, 'file')} deleted, {changed} changed", highlight=False)

@@ -11,7 +11,6 @@ from corollary.cli.pool_points import warn_of_pools
 from corollary.cli.terminal import bar, console
 from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, warn_of_dates, with_name
 from corollary.course.generate import Generated, generate
-from corollary.course.personal_data import was_forgotten
 from corollary.course.renew import Renewals, RosterChange, renewals, roster_change, students_before
 from corollary.extras import installing
 from corollary.grading.solutions import Solutions
@@ -24,6 +23,7 @@ from corollary.problem.translation import translation
 from corollary.records.assignments import open_record, sheets
 from corollary.records.corrections import Correction, corrections
 from corollary.records.files import Course, open_course
+from corollary.records.forgotten import forgotten
 from corollary.records.lms_names import LEFT_OUT, is_left_out
 from corollary.records.origin import has_set, set_of
 from corollary.records.settings import read_settings, write_language
@@ -46,8 +46,8 @@ def run(
     students, solutions = _students(roster, course, id_column or "", yes, as_json), Solutions(place)
     if students is None:
         return FAILS
-    is_course = (course / ".corollary" / "key").exists()
-    if not is_course or not has_set(open_course(course), problem_set.name):
+    opened = open_course(course) if (course / ".corollary" / "key").exists() else None
+    if opened is None or not has_set(opened, problem_set.name):
         warn_of_dates(problem_set)  # of a set that is new; later a past date is meant
     warn_of_pools(problem_set)
     warn_of_canvas(problem_set)
@@ -56,8 +56,7 @@ def run(
     for problem in problem_set.problems:  # whatever can be refused is, before the first file is written
         solutions.of(problem)
     found, plan = list[Correction](), Renewals((), ())
-    if is_course:
-        opened = open_course(course)
+    if opened is not None:
         warn_of_forgotten(opened, students)
         record = open_record(opened, problem_set)
         if not names_settled(opened, problem_set, record, yes, not_renamed):
@@ -157,7 +156,7 @@ def _whose_own(made: Generated) -> str:
 
 def warn_of_forgotten(course: Course, students: Sequence[Student]) -> None:
     """Students of the roster whose data was taken out of the course."""
-    if again := [each.id for each in students if was_forgotten(course, each.id)]:
+    if again := forgotten(course, [each.id for each in students]):
         say(
             f"warning: removed with corollary forget, and on the roster: {few(again, 10)}; they get new sheets. "
             "Take them off the roster if they are not to be in the course"

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import getpass
 import hashlib
-import hmac
 import io
 import json
 import os
@@ -17,15 +15,16 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path, PurePosixPath
-from typing import Any, Literal
+from typing import Literal
 
 from corollary.atomic import write_whole
 from corollary.nbgrader.exchange_places import exchange_places
 from corollary.nbgrader.gradebook import GradebookLocked
 from corollary.problem.diagnostic import Malformed
 from corollary.records.files import Course, NotACourse
+from corollary.records.forgotten import note_forgotten
 from corollary.records.gradebook_rows import is_database, remove_rows, rows_of
-from corollary.records.manual_marks import append, entries, read_manual
+from corollary.records.manual_marks import read_manual
 from corollary.records.marks import graded_sets, report_place
 from corollary.records.origin import set_of
 from corollary.records.person import Person
@@ -68,10 +67,8 @@ def find_data(course: Course, person: Person) -> PersonalData:
     """Every place in a course that holds something of a student; nothing is changed."""
     found = PersonalData()
     for parts, path in _files(course):
-        if (done := _separated(course, parts, path, person, found)) is not None and done.is_changed:
-            found.places.append(DataPlace("/".join(parts), _action(parts, done), done.entries))
-        elif done is not None and (report := _report_action(course, parts, path, person)):
-            found.places.append(DataPlace("/".join(parts), report, 1))
+        if (held := _held(course, parts, path, person, found)) is not None:
+            found.places.append(held[0])
     for place in exchange_places(course, person.id, _digests(course, person)):
         found.places.append(DataPlace(str(place), "delete", 1))
     found.left |= _beyond_reach(course)
@@ -86,21 +83,17 @@ def take_out(
     Whoever calls it is the only writer in the course. Raises GradebookLocked, OSError.
     """
     done = PersonalData()
-    _log(course, person, "begun")
+    note_forgotten(course, person.id, "begun", {})
     for place in exchange_places(course, person.id, _digests(course, person)):
         _remove_outside(place, done)
     todo = sorted(_files(course), key=lambda each: each[0] == ROSTER)
     for parts, path in todo:
         progress("/".join(parts))
-        parted = _separated(course, parts, path, person, done)
-        if parted is None:
+        if (held := _held(course, parts, path, person, done)) is None:
             continue
-        report = _report_action(course, parts, path, person)
-        if not (parted.is_changed or report):
-            continue
-        place = DataPlace("/".join(parts), report or _action(parts, parted), parted.entries)
+        place, parted = held
         try:
-            _change(course, path, parted, person, delete=bool(report))
+            _change(course, path, parted, person, delete=place.action != "change")
         except OSError as error:
             done.left[place.path] = (
                 f"cannot be changed ({error.strerror}); change its rights, then run this again"
@@ -112,7 +105,8 @@ def take_out(
     for parts, path in _files(course):
         if parts not in (LOG, KEY) and parts[:3] != PROBLEMS:
             _mentioned(parts, path, person, done)
-    _log(course, person, "done", done)
+    counts = {"deleted": done.count("delete"), "changed": done.count("change", "write again")}
+    note_forgotten(course, person.id, "done", counts | {"left": len(done.left)})
     return done
 
 
@@ -124,7 +118,7 @@ def person_archive(course: Course, person: Person) -> tuple[bytes, PersonalData]
             parted = _separated(course, parts, path, person, found)
             if parted is None or not parted.is_changed:
                 continue
-            found.places.append(DataPlace("/".join(parts), _action(parts, parted), parted.entries))
+            found.places.append(DataPlace("/".join(parts), _action(parted), parted.entries))
             where = PurePosixPath(*parts)
             for name, content in parted.theirs:
                 archive.writestr(
@@ -135,18 +129,12 @@ def person_archive(course: Course, person: Person) -> tuple[bytes, PersonalData]
             "name": person.student.name,
             "email": person.student.email,
             "course": course.name,
-            "made": _now(),
+            "made": datetime.now(UTC).isoformat(timespec="seconds"),
             "places": [each.path for each in found.places],
             "not included": _beyond_reach(course),
         }
         archive.writestr("about.json", json.dumps(about, indent=1, ensure_ascii=False))
     return target.getvalue(), found
-
-
-def was_forgotten(course: Course, student: str) -> bool:
-    """True if somebody of this id was taken out of the course."""
-    mark = _digest(course, student)
-    return any(entry.get("person") == mark for entry in entries(_log_place(course)))
 
 
 def _files(course: Course) -> Iterator[tuple[tuple[str, ...], Path]]:
@@ -168,7 +156,7 @@ def _separated(
         return None
     below = _below(parts)
     if path.is_symlink() or not path.is_file():
-        return Separated(None, (), 1) if below and person.owns_path(below) else None
+        return Separated(None, (), 1) if person.owns_path(below) else None
     try:
         content = path.read_bytes()
     except OSError as error:
@@ -183,18 +171,31 @@ def _separated(
     if draft := DRAFT.match(parts[-1]):
         done = separate((*below[:-1], draft[1]), content, person)
         return Separated(None, (), done.entries) if done.is_changed else None
-    return separate(below or parts, content, person)
+    return separate(below, content, person)
 
 
 def _below(parts: tuple[str, ...]) -> tuple[str, ...]:
     """The part of a path that may name a student: not the course's own folders, sets and kinds of record."""
     if parts[0] == ".corollary":
-        return parts[3:] if len(parts) > 3 else (parts[-1],) if len(parts) == 3 else parts[-1:]
-    return parts[1:] if len(parts) > 1 else parts
+        return parts[3:] or parts[-1:]
+    return parts[1:] or parts
 
 
-def _action(parts: tuple[str, ...], done: Separated) -> Action:
-    return "delete" if done.rest is None else "change"
+def _held(
+    course: Course, parts: tuple[str, ...], path: Path, person: Person, found: PersonalData
+) -> tuple[DataPlace, Separated] | None:
+    """What a file holds of the student and what becomes of it, with the file without that; None where it holds nothing."""
+    parted = _separated(course, parts, path, person, found)
+    if parted is None:
+        return None
+    report = _report_action(course, parts, path, person)
+    if not (parted.is_changed or report):
+        return None
+    return DataPlace("/".join(parts), report or _action(parted), max(1, parted.entries)), parted
+
+
+def _action(parted: Separated) -> Action:
+    return "delete" if parted.rest is None else "change"
 
 
 def _report_action(course: Course, parts: tuple[str, ...], path: Path, person: Person) -> Action | None:
@@ -303,34 +304,3 @@ def _mentioned(parts: tuple[str, ...], path: Path, person: Person, done: Persona
                 if count > 1
                 else ("names the student in another's text; look at it, and decide")
             )
-
-
-def _log(course: Course, person: Person, what: str, done: PersonalData | None = None) -> None:
-    """Who was taken out stands in the log as a digest with the course's key: only somebody with the key and the id finds it."""
-    entry: dict[str, Any] = {"person": _digest(course, person.id), what: _now(), "by": _account()}
-    if done is not None:
-        entry |= {
-            "deleted": done.count("delete"),
-            "changed": done.count("change", "write again"),
-            "left": len(done.left),
-        }
-    append(_log_place(course), [entry])
-
-
-def _log_place(course: Course) -> Path:
-    return course.record("forgotten", "log.jsonl")
-
-
-def _digest(course: Course, student: str) -> str:
-    return hmac.new(course.key, f"forgotten {student}".encode(), hashlib.sha256).hexdigest()[:32]
-
-
-def _now() -> str:
-    return datetime.now(UTC).isoformat(timespec="seconds")
-
-
-def _account() -> str:
-    try:
-        return getpass.getuser()
-    except (OSError, KeyError):
-        return ""
