@@ -12,7 +12,6 @@ from msgspec import to_builtins
 from corollary.atomic import write_files
 from corollary.cli.ending import FAILS, HOLDS, MOST_LISTED, answer, counted, refuse, say
 from corollary.cli.terminal import bar, console
-from corollary.cli.told_dates import with_name
 from corollary.course.collect import Collected, collect, nothing_to_do
 from corollary.records.assignments import is_assigned
 from corollary.records.files import Course, one_writer, open_course, students
@@ -81,7 +80,7 @@ def run(
              "requests": [asdict(each) for each in found.requests], "conflicts": list(found.conflicts), "remarks": list(found.remarks), "missing": list(found.missing)}
         )  # fmt: skip
     else:
-        show(found, problem_set.name, dry_run, {each.id: with_name(each) for each in students(opened)})
+        show(found, problem_set.name, dry_run, {each.id: each.name_with_id for each in students(opened)})
     return HOLDS if found.of(ACCEPTED) or found.of(UNCHANGED) or found.requests else FAILS
 
 

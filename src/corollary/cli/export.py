@@ -9,7 +9,7 @@ from typing import Unpack
 
 from corollary.atomic import write_files
 from corollary.cli import export_questions
-from corollary.cli.ending import HOLDS, answer, counted, refuse, say
+from corollary.cli.ending import HOLDS, MOST_LISTED, answer, counted, refuse, say
 from corollary.cli.export_options import (
     USUAL_FOLDER,
     ExportOptions,
@@ -161,7 +161,7 @@ def _of_one_set(
         sheets, nameless = with_printable_names(sheets)
         if nameless:
             say(
-                f"no font on this machine has all letters of {few([f'{each.name} ({each.id})' for each in nameless], 10)}: "
+                f"no font on this machine has all letters of {few([each.name_with_id for each in nameless], MOST_LISTED)}: "
                 "the id stands on the sheet in the place of the name; install a font that has them (Noto Sans CJK has Chinese, "
                 "Japanese and Korean), and export again"
             )

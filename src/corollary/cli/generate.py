@@ -9,7 +9,7 @@ from pathlib import Path
 from corollary.cli.ending import FAILS, HOLDS, agreed, answer, refuse, say
 from corollary.cli.pool_points import warn_of_pools
 from corollary.cli.terminal import bar, console
-from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, warn_of_dates, with_name
+from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, warn_of_dates
 from corollary.course.generate import Generated, generate
 from corollary.course.renew import Renewals, RosterChange, renewals, roster_change, students_before
 from corollary.extras import installing
@@ -193,7 +193,7 @@ def _students(
             say("to add students, give a roster with the new students only")
             return None
     if before and change.new:
-        say(f"new on the roster: {few([with_name(each) for each in change.new], 10)}")
+        say(f"new on the roster: {few([each.name_with_id for each in change.new], 10)}")
     return change.roster
 
 

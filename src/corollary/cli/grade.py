@@ -13,7 +13,7 @@ import msgspec
 from corollary.cli.ending import FAILS, HOLDS, MOST_LISTED, agreed, answer, say, say_each
 from corollary.cli.pool_points import warn_of_pools
 from corollary.cli.terminal import console, countdown
-from corollary.cli.told_dates import reveal_now, warn_of_grading_early, warn_of_printed_dates, with_name
+from corollary.cli.told_dates import reveal_now, warn_of_grading_early, warn_of_printed_dates
 from corollary.course.grade import Outcome, grade_set
 from corollary.course.workers import on_cluster
 from corollary.grading.solutions import Solutions
@@ -52,7 +52,7 @@ def run(
     warn_of_grading_early(opened, problem_set)
     warn_of_pools(problem_set)
     warn_of_printed_dates(opened, problem_set)
-    names = {each.id: with_name(each) for each in students(opened)}
+    names = {each.id: each.name_with_id for each in students(opened)}
     with one_writer(opened), countdown(f"grading {problem_set.name}") as progress:
         done = grade_set(
             opened,

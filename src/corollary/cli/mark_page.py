@@ -29,6 +29,7 @@ from corollary.nbgrader.hand_marking import (
 from corollary.nbgrader.written_marks import stored_facts
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import name_with_id
 from corollary.problem.variant import Variant, written
 from corollary.records.assignments import read_assigned
 from corollary.records.files import Course, students
@@ -180,8 +181,7 @@ class MarkPage:
 
     def named(self, student: str) -> str:
         """Name and id."""
-        name = self.names.get(student, student)
-        return name if name == student else f"{name} ({student})"
+        return name_with_id(self.names.get(student, student), student)
 
     def _ticked(self, part: PartToMark, ticked: Sequence[tuple[str, float]]) -> tuple[RubricItem, ...]:
         items = read_rubrics(self.course, self.problem_set.name).get(part.key) or self.parts[part.key].items

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from corollary.atomic import write_files
 from corollary.cli.ending import FAILS, HOLDS, MOST_LISTED, answer, say
-from corollary.cli.told_dates import warn_of_dates, with_name
+from corollary.cli.told_dates import warn_of_dates
 from corollary.course.release import release, sheets_of
 from corollary.messages import few
 from corollary.problem.problem_set import ProblemSet
@@ -38,7 +38,7 @@ def run(
     made = release(opened, problem_set, to, ids)
     folder = output or opened.folder / "given_out" / f"{problem_set.name}-{to}"
     written = write_files(folder, made.files)
-    names = {each.id: with_name(each) for each in students(opened)}
+    names = {each.id: each.name_with_id for each in students(opened)}
     for why in dict.fromkeys(made.without.values()):
         who = [names.get(student, student) for student, reason in made.without.items() if reason == why]
         say(f"no file for {few(who, MOST_LISTED)}: {why}")

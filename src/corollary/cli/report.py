@@ -94,8 +94,7 @@ def _history(course: Course, name: str, set_name: str, as_json: bool) -> int:
     if as_json:
         answer(history_record(found, who.id, {who.id: who.name}))
     else:
-        title = who.id if who.name == who.id else f"{who.name} ({who.id})"
-        console().print(history_table(found, title, read_settings(course.folder).usual.zone))
+        console().print(history_table(found, who.name_with_id, read_settings(course.folder).usual.zone))
     return HOLDS
 
 

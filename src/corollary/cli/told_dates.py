@@ -48,7 +48,7 @@ def say_renewals(found: Renewals, roster: Iterable[Student]) -> None:
     if found.sheets:
         whose = named([each.student for each in found.sheets], roster)
         say(f"--renew replaces the sheet of {whose} by the corrected one")
-    names = {each.id: with_name(each) for each in roster}
+    names = {each.id: each.name_with_id for each in roster}
     say_each(
         f"  {names.get(each.student, each.student)} gets new numbers in {', '.join(each.other)}"
         for each in found.sheets
@@ -62,13 +62,8 @@ def say_renewals(found: Renewals, roster: Iterable[Student]) -> None:
 
 def named(students: Sequence[str], roster: Iterable[Student]) -> str:
     """`3 students: Ada Lovelace (0101014), ben, cyd`; ten at most."""
-    names = {each.id: with_name(each) for each in roster}
+    names = {each.id: each.name_with_id for each in roster}
     return f"{counted(len(students), 'student')}: {few([names.get(each, each) for each in students], MOST_LISTED)}"
-
-
-def with_name(student: Student) -> str:
-    """`Ada Lovelace (0101014)`; the id alone where the roster has no name."""
-    return student.id if student.name == student.id else f"{student.name} ({student.id})"
 
 
 def now() -> datetime:
@@ -101,7 +96,7 @@ def warn_of_grading_early(course: Course, problem_set: ProblemSet, at: datetime 
             "until then feedback shows no right values"
         )
         return
-    more = [with_name(each) for each in students(course) if deadlines.early(each.id, at)]
+    more = [each.name_with_id for each in students(course) if deadlines.early(each.id, at)]
     if more:
         last = deadlines.last
         assert last is not None

@@ -116,7 +116,7 @@ class OwnFiles:
 
     def _called(self, student: str) -> str:
         about = self.roster.get(student)
-        return f"{about.name} ({student})" if about is not None and about.name != student else student
+        return student if about is None else about.name_with_id
 
 
 def _number(found: Found) -> str:

@@ -168,6 +168,15 @@ class Student:
     def name(self) -> str:
         return " ".join(part for part in (self.first_name, self.last_name) if part) or self.id
 
+    @property
+    def name_with_id(self) -> str:
+        return name_with_id(self.name, self.id)
+
+
+def name_with_id(name: str, student: str) -> str:
+    """`Ada Lovelace (0101014)`; the id alone where there is no name."""
+    return student if name in ("", student) else f"{name} ({student})"
+
 
 def _among(name: str, listed: str) -> bool:
     """True if a cell names it, alone or among others."""

@@ -14,6 +14,7 @@ from corollary.answers.verdict import Verdict
 from corollary.messages import few, visible
 from corollary.problem.dates import written
 from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import name_with_id
 from corollary.records.collusion import RARE, SHARING, Shared, read_shared
 from corollary.records.deadlines import Deadlines, read_deadlines
 from corollary.records.files import Course, students
@@ -113,8 +114,7 @@ class Report:
 
     def called(self, student: str) -> str:
         """`Ada Lovelace (0101014)`; the id alone where the roster has no name."""
-        name = self.names.get(student, student)
-        return name if name == student else f"{name} ({student})"
+        return name_with_id(self.names.get(student, student), student)
 
     def some(self, whose: Sequence[str], most: int) -> str:
         """The first by name, and how many more there are."""

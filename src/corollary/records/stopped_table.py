@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from corollary.grading.stopped_cells import StoppedCell
 from corollary.messages import few
 from corollary.problem.packages import INSTALLED_AS, is_installed, is_of_another_system
+from corollary.problem.roster import name_with_id
 from corollary.records.marks import Record
 
 MOST_NAMES = 10
@@ -61,7 +62,9 @@ def stopped_rows(records: Iterable[Record], set_name: str) -> tuple[StoppedRow, 
 def _row(set_name: str, cells: Sequence[tuple[Record, StoppedCell]]) -> StoppedRow:
     cell = cells[0][1]
     waits = any(each.waits and each.parts for _, each in cells)
-    students = {record.handed_in.student: _called(record) for record, _ in cells}
+    students = {
+        one.student: name_with_id(one.name, one.student) for record, _ in cells for one in (record.handed_in,)
+    }
     labels = {
         name: f"{row.problem} {row.part}"
         for record, each in cells
@@ -77,11 +80,6 @@ def _row(set_name: str, cells: Sequence[tuple[Record, StoppedCell]]) -> StoppedR
         cell.kind, about, _what(cell), tuple(students), tuple(students.values()), tuple(parts), waits, to_do,
         tuple(labels[part] for part in parts),
     )  # fmt: skip
-
-
-def _called(record: Record) -> str:
-    one = record.handed_in
-    return f"{one.name} ({one.student})" if one.name and one.name != one.student else one.student
 
 
 def _what(cell: StoppedCell) -> str:

@@ -8,6 +8,7 @@ from rich.table import Table
 from rich.text import Text
 
 from corollary.messages import visible
+from corollary.problem.roster import name_with_id
 from corollary.records.outside_changes import OutsideChange
 from corollary.records.report_model import Report
 from corollary.render.wording import percent, points
@@ -66,8 +67,7 @@ def by_hand_tables(report: Report) -> Iterator[Table]:
 
 def named(student: str, names: Mapping[str, str]) -> str:
     """Name and id."""
-    name = names.get(student, student)
-    return student if name == student else f"{name} ({student})"
+    return name_with_id(names.get(student, student), student)
 
 
 def score(value: float | None) -> str:

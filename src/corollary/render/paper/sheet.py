@@ -145,10 +145,7 @@ class PaperSheet:
         """Whose it is, in words."""
         if self.form:
             return _("Form {form}", form=self.form)
-        student = self.plan.student
-        if self.label:
-            return self.label
-        return student.name if student.name == student.id else f"{student.name} ({student.id})"
+        return self.label or self.plan.student.name_with_id
 
     @property
     def title(self) -> str:
