@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 
-from corollary.cli.ending import FAILS, HOLDS, agreed, answer, refuse, say
+from corollary.cli.ending import FAILS, HOLDS, MOST_LISTED, agreed, answer, refuse, say
 from corollary.cli.pool_points import warn_of_pools
 from corollary.cli.terminal import bar, console
 from corollary.cli.told_dates import names_settled, say_corrections, say_renewals, warn_of_dates
@@ -158,7 +158,7 @@ def warn_of_forgotten(course: Course, students: Sequence[Student]) -> None:
     """Students of the roster whose data was taken out of the course."""
     if again := forgotten(course, [each.id for each in students]):
         say(
-            f"warning: removed with corollary forget, and on the roster: {few(again, 10)}; they get new sheets. "
+            f"warning: removed with corollary forget, and on the roster: {few(again, MOST_LISTED)}; they get new sheets. "
             "Take them off the roster if they are not to be in the course"
         )
 
@@ -193,7 +193,7 @@ def _students(
             say("to add students, give a roster with the new students only")
             return None
     if before and change.new:
-        say(f"new on the roster: {few([each.name_with_id for each in change.new], 10)}")
+        say(f"new on the roster: {few([each.name_with_id for each in change.new], MOST_LISTED)}")
     return change.roster
 
 

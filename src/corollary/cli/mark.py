@@ -9,7 +9,7 @@ from typing import Any
 
 import msgspec
 
-from corollary.cli.ending import HOLDS, answer, refuse
+from corollary.cli.ending import HOLDS, MOST_LISTED, answer, refuse
 from corollary.cli.local_page import OnePageServer, serve
 from corollary.course.up_to_date import up_to_date
 from corollary.grading.near_misses import accepted_text
@@ -37,7 +37,6 @@ from corollary.render.marks_by_hand_tables import named, score
 from corollary.render.wording import points, points_earned
 
 Give = Callable[[str, AnswerGroup, ManualMark], None]
-MOST_NAMED = 10
 HELP = "points, or r and the rubric's numbers (r13), then a comment if you like; empty: leave it; q: end"
 
 
@@ -96,7 +95,7 @@ def _ask(part: PartToMark, group: AnswerGroup, heading: str, give: Give, names: 
     late = f", {group.late} late" if group.late else ""
     print(f"\n--- {heading}{count}{late}")
     if names:
-        print(visible(few([named(each, names) for each in group.students], MOST_NAMED)))
+        print(visible(few([named(each, names) for each in group.students], MOST_LISTED)))
     if group.outside is not None:
         before, after = (score(each) for each in (group.outside.before, group.outside.after))
         print(f"changed in the gradebook from {before} to {after}; it does not count until you give points")
@@ -157,6 +156,7 @@ def run(
         | _standing(opened, problem_set, stands)
     )
     marks = {key: mark for key, (mark, _) in written.items()}
+    people = {} if anonymous else {each.id: each.name for each in students(opened)}
     if marks:
         try:
             give_marks(opened, problem_set, marks, {key: where for key, (_, where) in written.items()})
@@ -164,7 +164,6 @@ def run(
             raise NotMarkable(f"{error}; no mark was given") from None
     elif terminal:
         parts = to_mark(opened, problem_set, everything=everything, only=only)
-        people = {} if anonymous else {each.id: each.name for each in students(opened)}
         mark_in_terminal(
             parts, lambda part, group, mark: _give(opened, problem_set, part, group, mark), people
         )
@@ -174,7 +173,6 @@ def run(
         up_to_date(opened, problem_set)  # the report's page, once for all marks
     if as_json:
         left = to_mark(opened, problem_set, everything=everything, only=only)
-        people = {} if anonymous else {each.id: each.name for each in students(opened)}
         parts = [_record(each, people) for each in left]
         answer({"set": problem_set.name, "given": len(marks), "parts": parts})
     elif marks:
@@ -234,12 +232,9 @@ def _from_words(course: Course, problem_set: ProblemSet, given: list[str]) -> Ma
     found: Marks = {}
     ids = _ids(course)
     for words in given:
-        place, equals, number = words.rpartition("=")
-        student, slash, part = place.rpartition("/")
-        if not equals or not slash:
-            refuse(f"--set {words}: write it as STUDENT/PART=POINTS, for instance ada/X12.5d=1.5")
+        place, _, number = words.rpartition("=")
         where = f"--set {words}"
-        key = _place(course, problem_set, ids.get(student, student), part, where)
+        key = _place_in(course, problem_set, place, ids, where, "POINTS, for instance ada/X12.5d=1.5")
         found[key] = ManualMark(_points(number, where), by=login_name(), source=COMMAND), where
     return found
 
@@ -250,13 +245,11 @@ def _standing(course: Course, problem_set: ProblemSet, given: list[str]) -> Mark
     ids = _ids(course)
     for words in given:
         place, equals, reason = words.partition("=")
-        student, slash, part = place.rpartition("/")
-        where = f"--stands {words}"
-        if not equals or not slash:
-            refuse(
-                f"{where}: write it as STUDENT/PART=REASON, for instance ada/X12.5a='the floor takes momentum, too'"
-            )
-        key = _place(course, problem_set, ids.get(student, student), part, where)
+        where, example = (
+            f"--stands {words}",
+            "REASON, for instance ada/X12.5a='the floor takes momentum, too'",
+        )
+        key = _place_in(course, problem_set, place if equals else "", ids, where, example)
         mark = ManualMark(None, None, reason.strip() or None, by=login_name(), source=COMMAND)
         found[key] = as_it_stands(course, problem_set, *key, mark), where
     return found
@@ -286,6 +279,16 @@ def _from_file(course: Course, problem_set: ProblemSet, file: Path) -> Marks:
             where,
         )
     return found
+
+
+def _place_in(
+    course: Course, problem_set: ProblemSet, words: str, ids: Mapping[str, str], where: str, example: str
+) -> tuple[str, str]:
+    """The place that `ada/X12.5 d` names; empty `words` name none. Raises NotMarkable."""
+    student, slash, part = words.rpartition("/")
+    if not slash:
+        refuse(f"{where}: write it as STUDENT/PART={example}")
+    return _place(course, problem_set, ids.get(student, student), part, where)
 
 
 def _place(course: Course, problem_set: ProblemSet, student: str, part: str, where: str) -> tuple[str, str]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from corollary.course.regrade_evidence import evidence_html, explained
+from corollary.course.regrade_evidence import Evidence, evidence_html, explained
 from corollary.course.wrong_answers import DrawnKeys
 from corollary.derive.worked_solution import model_answer
 from corollary.formula.ball import Undefined
@@ -150,14 +150,7 @@ class MarkPage:
         marks = {(each, card.part.key): one for each, one in marks_of(card.group, mark)}
         seen = {(student, card.part.key): token for student, token in card.seen.items()}
         if posted.get("others") and card.group.request is not None:
-            others = explained(
-                self.course,
-                self.problem_set,
-                self.solutions,
-                card.group.students[0],
-                card.part.key,
-                self.keys,
-            ).others
+            others = self._evidence(card).others
             marks |= {(each.student, card.part.key): mark for each in others}
         try:
             after = give_marks(self.course, self.problem_set, marks, seen=seen)
@@ -240,12 +233,7 @@ class MarkPage:
             raise NotMarkable(RELOAD) from None
         student = card.group.students[0]
         if posted.get("what") == "evidence":
-            found = guarded(
-                lambda: explained(
-                    self.course, self.problem_set, self.solutions, student, card.part.key, self.keys
-                ),
-                LONGEST_LOOK,
-            )
+            found = guarded(lambda: self._evidence(card), LONGEST_LOOK)
             if isinstance(found, Failure):
                 raise NotMarkable(f"this could not be worked out ({found.what})")
             return evidence_html(found, None if self.anonymous else self.named)
@@ -261,6 +249,10 @@ class MarkPage:
             else ""
         )
         return question + (texts["model"] or "<p>There is no model answer for these numbers.</p>")
+
+    def _evidence(self, card: AnswerCard) -> Evidence:
+        student, part = card.group.students[0], card.part.key
+        return explained(self.course, self.problem_set, self.solutions, student, part, self.keys)
 
     def _model(self, variant: Variant, part: str) -> str:
         """The answer to a part in words, else the worked solution of the problem."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from markupsafe import Markup, escape
 
@@ -56,11 +56,11 @@ def explained(
 ) -> Evidence:
     """What there is on one student's answer to a part, named as in the notebook. `keys` keeps those of each problem for the next
     look: they are what takes long. Raises NotMarkable, NotACourse, NotDerivable."""
-    records = _records(course, problem_set)
+    records = read_marks(course, problem_set, read_assigned(course, problem_set))
     record = records[student]
     part = part_named(problem_set, part, record)
     entry = record.parts[part]
-    row = dict(zip(record.parts, record.rows, strict=True))[part]
+    row = record.row(part)
     found = Evidence(student, entry.answer, row.verdict, entry.points, entry.out_of)
     by_problem = {} if keys is None else keys
     if row.problem not in by_problem:
@@ -85,15 +85,11 @@ def explained(
         return found
     rules = rules_giving(own.solution, row.part, drawn, place)
     others = {at: None for _, places in rules for at in places if at != place}
-    return Evidence(
-        student,
-        entry.answer,
-        row.verdict,
-        entry.points,
-        entry.out_of,
-        tuple(rule for rule, _ in rules),
-        tuple(_other(records[drawn[at].student], part) for at in others),
-        round(entry.points + drawn[place].points, 6),
+    return replace(
+        found,
+        rules=tuple(rule for rule, _ in rules),
+        others=tuple(_other(records[drawn[at].student], part) for at in others),
+        listed=round(entry.points + drawn[place].points, 6),
     )
 
 
@@ -132,22 +128,6 @@ def evidence_html(found: Evidence, named: Callable[[str], str] | None) -> str:
         "<table><thead><tr><th>student</th><th>answer</th><th>has</th></tr></thead><tbody>{}</tbody></table>{}"
         '<p><label><input type="checkbox" class="others"> Give the same points and comment to {}</label></p>'
     ).format(whose, rows, more, "that student" if count == 1 else f"all {count}")
-
-
-def evidence_record(found: Evidence) -> dict[str, object]:
-    """The same as plain data."""
-    return {
-        "rules": [{"change": rule.words, "formula": rule.formula} for rule in found.rules],
-        "others": [
-            {"student": one.student, "answer": one.answer, "points": one.points, "out_of": one.out_of}
-            for one in found.others
-        ],
-        "listed_points": found.listed,
-    }
-
-
-def _records(course: Course, problem_set: ProblemSet) -> dict[str, Record]:
-    return read_marks(course, problem_set, read_assigned(course, problem_set))
 
 
 def _other(record: Record, part: str) -> SameChange:

@@ -16,7 +16,6 @@ from msgspec.structs import replace
 from nbformat import NotebookNode, from_dict
 
 from corollary.grading.near_misses import accepted_text
-from corollary.grading.part_grades import NearMiss
 from corollary.messages import did_you_mean
 from corollary.nbgrader.gradebook import gradebook, has_gradebook, has_seen
 from corollary.nbgrader.marked_notebook import answer_cells, verbatim
@@ -158,8 +157,8 @@ def marking_state(
             if key in record.parts
             and (
                 everything
-                or _waits(record, key)
-                or _near_miss(record, key)
+                or (row := record.row(key)).waits
+                or row.near_miss
                 or (student, key) in outside
                 or (student, key) in requests
             )
@@ -380,15 +379,6 @@ def _checked(
     )
 
 
-def _waits(record: Record, key: str) -> bool:
-    rows = zip(record.parts, record.rows, strict=True)
-    return any(row.waits for name, row in rows if name == key)
-
-
-def _near_miss(record: Record, key: str) -> NearMiss | None:
-    return _row(record, key).near_miss
-
-
 def _groups(
     key: str,
     whose: Sequence[str],
@@ -405,7 +395,7 @@ def _groups(
         names: Sequence[str], cells: tuple[WrittenCell, ...], near: NearMisses | None = None
     ) -> AnswerGroup:
         first = names[0]
-        row = _row(records[first], key)
+        row = records[first].row(key)
         manual = records[first].parts[key].manual
         late = sum(records[student].late > 0 for student in names)
         given = None if manual is UNSET or near is not None else manual
@@ -421,7 +411,7 @@ def _groups(
     for student in single:
         yield group([student], tuple(_cells(notebooks.of(student), key)))
     whose = [each for each in whose if each not in set(single)]
-    near = near_misses(row for each in whose if (row := _row(records[each], key)).near_miss)
+    near = near_misses(row for each in whose if (row := records[each].row(key)).near_miss)
     for one in near:
         yield group(one.students, tuple(_cells(notebooks.of(one.students[0]), key)), one)
     in_near = {student for one in near for student in one.students}
@@ -431,7 +421,7 @@ def _groups(
             continue
         cells = tuple(_cells(notebooks.of(student), key))
         manual = records[student].parts[key].manual
-        row = _row(records[student], key)
+        row = records[student].row(key)
         marked = (
             (row.verdict, row.points)
             if manual is UNSET
@@ -442,10 +432,6 @@ def _groups(
         by_answer.setdefault((same, marked, alone), []).append((student, cells))
     for equal in sorted(by_answer.values(), key=len, reverse=True):
         yield group([student for student, _ in equal], equal[0][1])
-
-
-def _row(record: Record, key: str) -> Row:
-    return dict(zip(record.parts, record.rows, strict=True))[key]
 
 
 def _why(row: Row) -> str:

@@ -117,6 +117,10 @@ class Record(msgspec.Struct, frozen=True):
     depends: dict[str, str] = {}
     stopped: tuple[StoppedCell, ...] = ()
 
+    def row(self, part: str) -> Row:
+        """The row of a part, which is named as in the notebook. Raises KeyError."""
+        return dict(zip(self.parts, self.rows, strict=True))[part]
+
     def why_again(self, part: str, mark: ManualMark) -> str:
         """Why a person is to look again at what a person gave, `mark` being out of what the part earns now; empty when not."""
         if mark.score is None and not mark.extra_credit:

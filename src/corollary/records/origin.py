@@ -135,9 +135,14 @@ def _moved_alike(course: Course, other: SetOrigin, before: SetOrigin, after: Set
     return SetOrigin(banks, file, course.folder)
 
 
+def _is_installed(name: str) -> bool:
+    """True for the name of an installed bank, which no place leads to."""
+    return not (name.startswith(".") or Path(name).is_absolute())
+
+
 def _rebased(course: Course, origin: SetOrigin, name: str, *, folder: bool = True) -> str:
     """A recorded path, seen from where the course lies now; it stays that of the old place where it is found in neither."""
-    if folder and not (name.startswith(".") or Path(name).is_absolute()):
+    if folder and _is_installed(name):
         return name
     here, then = origin.places_of(name, course.folder)
     place = here if here.exists() else then
@@ -331,7 +336,7 @@ def _folders(course: Course, origin: SetOrigin) -> Path | None:
     """The recorded banks as `open_bank` takes them; None where one of them is not found."""
     found: list[str] = []
     for name in origin.banks or ():
-        if not (name.startswith(".") or Path(name).is_absolute()):  # an installed one
+        if _is_installed(name):
             found.append(name)
             continue
         places = origin.places_of(name, course.folder)

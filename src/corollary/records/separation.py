@@ -252,12 +252,7 @@ def _zip(content: bytes, person: Person, depth: int) -> Separated:
             if not parts or member.file_size > MOST_BYTES:
                 raise ValueError("a member that cannot be read")
             held = archive.read(member)
-            # What stands below another student's name is that student's, whatever it holds.
-            done = (
-                Separated(held)
-                if person.owns_path(parts) is False
-                else separate(parts, held, person, depth + 1)
-            )
+            done = _member(parts, held, person, depth)
             theirs += [
                 (member.filename if done.rest is None else f"{member.filename}/{name}", each)
                 for name, each in done.theirs
@@ -265,6 +260,13 @@ def _zip(content: bytes, person: Person, depth: int) -> Separated:
             if done.rest is not None:
                 rest.writestr(member, done.rest, member.compress_type)
     return Separated(target.getvalue() if theirs else content, tuple(theirs), len(theirs))
+
+
+def _member(parts: Sequence[str], held: bytes, person: Person, depth: int) -> Separated:
+    """One file of an archive; what stands below another student's name is that student's, whatever it holds."""
+    if person.owns_path(parts) is False:
+        return Separated(held)
+    return separate(parts, held, person, depth + 1)
 
 
 def _tar(content: bytes, person: Person, depth: int) -> Separated:
@@ -283,11 +285,7 @@ def _tar(content: bytes, person: Person, depth: int) -> Separated:
                     rest.addfile(member)
                 continue
             held = file.read()
-            done = (
-                Separated(held)
-                if person.owns_path(parts) is False
-                else separate(parts, held, person, depth + 1)
-            )
+            done = _member(parts, held, person, depth)
             theirs += [(member.name, each) for _, each in done.theirs]
             if done.rest is not None:
                 member.size = len(done.rest)

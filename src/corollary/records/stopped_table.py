@@ -61,7 +61,7 @@ def stopped_rows(records: Iterable[Record], set_name: str) -> tuple[StoppedRow, 
 
 def _row(set_name: str, cells: Sequence[tuple[Record, StoppedCell]]) -> StoppedRow:
     cell = cells[0][1]
-    waits = any(each.waits and each.parts for _, each in cells)
+    waits = cell.waits and bool(cell.parts)  # as all cells of the row
     students = {
         one.student: name_with_id(one.name, one.student) for record, _ in cells for one in (record.handed_in,)
     }

@@ -190,11 +190,7 @@ def _deadlines(course: Course, name: str, problem_set: ProblemSet | None) -> Dea
 def _points(problem_set: ProblemSet | None) -> float:
     if problem_set is None:
         return 0.0
-    return sum(
-        part.points * problem_set.weight(problem)
-        for problem in problem_set.problems
-        for part in problem.parts
-    )
+    return sum(map(problem_set.points, problem_set.problems))
 
 
 def _marks(
