@@ -77,7 +77,10 @@ def given(marked_course: Course) -> Course:
 def test_before_a_person_looks_the_part_waits(marked_course: Course) -> None:
     assert {each["student"] for each in report(marked_course)["waiting"]} == {"ada", "ben"}
     assert table(marked_course)["ada"]["X12.11 c"] == ""
-    assert "Waits for your teacher" in page(marked_course, "ada")
+    feedback = page(marked_course, "ada")
+    assert "Waits for your teacher" in feedback
+    assert ">– / 2<" in feedback
+    assert ">0 / 2<" not in feedback, "nobody has given no points yet"
 
 
 def test_the_report_and_the_tables_have_it_at_once(given: Course) -> None:

@@ -290,6 +290,12 @@ class MarkedPart:
         return None if self.record.manual is msgspec.UNSET else self.record.manual.request
 
     @property
+    def points(self) -> str:
+        """What it earned; a dash where a person has still to decide all of it."""
+        waits = self.look is LOOKS["unmarked"] and not self.record.points
+        return "–" if waits else earned(self.record.points)
+
+    @property
     def folds(self) -> bool:
         """True if the part is right and nothing more is said of it than that."""
         whole = self.record.points >= self.record.out_of > 0
@@ -400,7 +406,7 @@ def feedback_notebook(facts: PageFacts, record: Record) -> str:
 
 
 def _of_part(part: MarkedPart) -> str:
-    marks = _("{points} of {out_of}", points=earned(part.record.points), out_of=earned(part.record.out_of))
+    marks = _("{points} of {out_of}", points=part.points, out_of=earned(part.record.out_of))
     texts = [
         f"### ({part.facts.id}) {_literal(unescape(TAG.sub('', part.facts.title)))}",
         f"**{part.look.phrase}** ({marks})",
