@@ -73,6 +73,42 @@ def test_a_missing_package_leaves_its_part_to_a_person_until_it_is_installed(
     assert again.document["graded"] == 0
 
 
+IMPORT = "try:\n    import pandas as pd\nexcept ImportError:\n    pd = None\n"
+
+
+def test_a_package_whose_absence_a_cell_catches_leaves_its_part_to_a_person(handed_in: Path) -> None:
+    changed(handed_in, "ada", f"{IMPORT}if pd:\n    X12_5_a = pd.value(VALUE)")
+    changed(handed_in, "ben", f"{IMPORT}X12_5_a = pd.value(VALUE) if pd else 0")
+    changed(handed_in, "cyd", f"{IMPORT}X12_5_a = VALUE")
+    document = grade(handed_in).document
+    assert [part(document, one)["verdict"] for one in ("ada", "ben", "cyd")] == [
+        "unmarked",
+        "unmarked",
+        "right",
+    ]
+    (row,) = document["stopped"]
+    assert (row["about"], row["students"], row["parts"], row["waits"]) == (
+        "pandas",
+        ["ada", "ben"],
+        [KEY],
+        True,
+    )
+    assert "may depend on pandas" in part(document, "ben")["feedback"]
+
+    changed(handed_in, "ada", f"{IMPORT}X12_5_a = pd.value(VALUE)")
+    book = json.loads((file := handed_in / "submitted/ben/one/one.ipynb").read_text())
+    at = next(k for k, each in enumerate(book["cells"]) if each["id"] == f"{KEY}_answer")
+    above = {"cell_type": "code", "id": "extra", "metadata": {}, "outputs": [], "execution_count": 1}
+    book["cells"].insert(at, above | {"source": f"{IMPORT}frame = pd and pd.value(1)"})
+    book["cells"][at + 1]["source"] = "X12_5_a = frame + 1"
+    file.write_text(json.dumps(book))
+    document = grade(handed_in).document
+    assert [part(document, one)["verdict"] for one in ("ada", "ben")] == ["unmarked", "unmarked"]
+    assert [(row["about"], row["parts"]) for row in document["stopped"] if row["waits"]] == [
+        ("pandas", [KEY])
+    ]
+
+
 def test_a_package_that_is_not_among_the_declared_is_the_students_matter(handed_in: Path) -> None:
     changed(handed_in, "ada", WITH_PACKAGE)
     grade(handed_in)

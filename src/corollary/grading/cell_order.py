@@ -28,6 +28,7 @@ MUTATING = frozenset(
         "send",
     ]
 )
+IMPORTING = frozenset(["import_module", "__import__", "find_spec"])
 _BUILT_IN = frozenset(dir(builtins))
 _FIRST_MAGIC = re.compile(r"\s*%%(?:time|timeit|capture)\b[^\n]*\n")
 _MAGIC = re.compile(r"^[ \t]*[%!][^\n]*$", re.MULTILINE)
@@ -36,7 +37,8 @@ _ASSIGNED = re.compile(r"^[ \t]*([A-Za-z_]\w*)[ \t]*=(?!=)", re.MULTILINE)
 
 class CellNames:
     """The names of one cell: those that it `makes`, each with how; those that it reads before it makes them; `star`: it may make any;
-    `repeatable`: run twice in the same surroundings, it does the same as run once."""
+    `repeatable`: run twice in the same surroundings, it does the same as run once; `imports`: the packages that it imports anywhere,
+    each with the names that are made with it."""
 
     def __init__(self, makes: Iterable[str] = (), *, repeatable: bool = True) -> None:
         self.makes: dict[str, tuple[str, ...]] = dict.fromkeys(makes, ("?",))
@@ -44,6 +46,7 @@ class CellNames:
         self.star = False
         self.repeatable = repeatable
         self.of_functions: dict[str, set[str]] = {}
+        self.imports: dict[str, set[str]] = {}
 
 
 def cell_names(source: str) -> CellNames:
@@ -55,10 +58,44 @@ def cell_names(source: str) -> CellNames:
     found = CellNames()
     for statement in tree.body:
         _follow(statement, found)
+        loaded = {each.id for each in ast.walk(statement) if isinstance(each, ast.Name)}
+        here = packages_in(statement)
+        for package in here | {each for each, names in found.imports.items() if names & loaded}:
+            found.imports.setdefault(package, set()).update(_made_by(statement))
     if found.reads & found.makes.keys():  # `n = n + 1`
         found.repeatable = False
     found.reads -= _BUILT_IN
     return found
+
+
+def packages_in(node: ast.AST) -> set[str]:
+    """The packages imported anywhere below, by a statement or by `import_module("…")`."""
+    found = set[str]()
+    for each in ast.walk(node):
+        match each:
+            case ast.Import(names=names):
+                found |= {one.name for one in names}
+            case ast.ImportFrom(module=str(name), level=0):
+                found.add(name)
+            case ast.Call(
+                func=ast.Name(id=called) | ast.Attribute(attr=called),
+                args=[ast.Constant(value=str(name)), *_],
+            ) if called in IMPORTING:
+                found.add(name)
+            case _:
+                continue
+    return {name.partition(".")[0] for name in found}
+
+
+def _made_by(statement: ast.stmt) -> Iterator[str]:
+    for each in ast.walk(statement):
+        match each:
+            case ast.Name(id=name, ctx=ast.Store()) | ast.FunctionDef(name=name) | ast.ClassDef(name=name):
+                yield name
+            case ast.alias(name=name, asname=other):
+                yield other or name.partition(".")[0]
+            case _:
+                continue
 
 
 def _follow(node: ast.stmt, found: CellNames) -> None:

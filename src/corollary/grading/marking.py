@@ -21,6 +21,7 @@ from corollary.grading.programs.judge_programs import asks
 from corollary.grading.stopped_cells import (
     Stops,
     label,
+    may_differ,
     needs_person,
     no_answer,
     package_state,
@@ -35,6 +36,7 @@ from corollary.notebook.locate import (
     cells_by_id,
     code_to_run,
     plot_cells,
+    plot_id,
     written_elsewhere,
     written_into_question,
     written_text,
@@ -126,6 +128,14 @@ class _CameBack:
     def index_of(self, cell: NotebookNode | None) -> int | None:
         name = cell.get("id") if cell is not None else None
         return next((index for index, each in enumerate(self.job.cells) if name and each.id == name), None)
+
+    def doubt_of(self, prompt: Prompt) -> int | None:
+        """The index of the cell that imports a missing package, where what a part's cell gives may depend on it."""
+        named = cells_by_id(self.notebook.node)
+        for own in (answer_id(prompt.key, prompt.part), plot_id(prompt.key, prompt.part)):
+            if own in named and (found := self.stops.doubted.get(named[own].get("id", ""))) is not None:
+                return found
+        return None
 
     def error_of(self, cell: NotebookNode | None) -> str:
         index = self.index_of(cell)
@@ -269,7 +279,8 @@ def _explained(part: PartGrade, prompt: Prompt, came: _CameBack) -> PartGrade:
     if {prompt.name, prompt.key} & came.second:
         return _by_second_run(part, prompt, came)
     run_for_it = any(each.found_in in {"function", "figure"} for each in prompt.answer_types)
-    if not blank and not (run_for_it and not part.waits and part.points < part.out_of):
+    doubt = came.doubt_of(prompt) if not part.waits and part.points < part.out_of else None
+    if not blank and doubt is None and not (run_for_it and not part.waits and part.points < part.out_of):
         return part
     if blank and (uncertain := came.uncertain.get(prompt.name, came.uncertain.get(prompt.key))) is not None:
         return _waiting(part, _order_matters(), text_typed(uncertain))
@@ -282,6 +293,8 @@ def _explained(part: PartGrade, prompt: Prompt, came: _CameBack) -> PartGrade:
         )
         return _waiting(part, sentence, source)
     blame = came.stops.of_part(prompt, came.notebook)
+    if doubt is not None and (blame is None or not came.stops.cells[blame].waits):
+        blame = doubt
     own_fault = blame is None or blame == came.index_of(own)
     if blank and own_fault and error.startswith(WITHOUT_QUOTES):
         left = _left_to_a_person(part, prompt, came)
@@ -300,6 +313,8 @@ def _explained(part: PartGrade, prompt: Prompt, came: _CameBack) -> PartGrade:
     why = why_stopped(cell.stop, came.sheet.problem_set.packages, cell.state)
     if not own_fault or own is None:
         why = _("it needs a cell that stopped: {why}", why=why)
+    if cell.waits and blame == doubt:
+        return _waiting(part, may_differ(label(prompt), cell.about), source)
     if cell.waits:
         return _waiting(part, needs_person(label(prompt), why), source)
     sentence = no_answer(label(prompt), why)

@@ -44,11 +44,16 @@ class StoppedCell:
 @dataclass(frozen=True, slots=True)
 class Stops:
     """The stopped cells of a notebook by their index, and for each index of a cell that stopped, or a name that has no value, the
-    index of the cell that is to blame."""
+    index of the cell that is to blame.
+
+    `cells` also has those that ran to their end without a package that they import (`try: import pandas`); `doubted` are the cells
+    that may give something else where it is installed, each with the index of the one that imports it.
+    """
 
     cells: Mapping[int, StoppedCell]
     of_cells: Mapping[str, int]
     of_names: Mapping[str, int]
+    doubted: Mapping[str, int]
 
     def of_part(self, prompt: Prompt, notebook: Notebook) -> int | None:
         """The cell to blame where a part has no answer."""
@@ -82,19 +87,35 @@ def stops_in(
     found: dict[int, StoppedCell] = {}
     of_cells: dict[str, int] = {}
     of_names: dict[str, int] = {}
+    doubted: dict[str, int] = {}
+    doubted_names: dict[str, int] = {}
     ran_well = ran_to_its_end(notebook.node)
     for index, (cell, run) in enumerate(zip(cells, executed.cells, strict=True)):
         names, stop = order.cells[index], stop_of(run)
+        read = names.reads.union(*names.of_functions.values())
+        origin = next((doubted_names[name] for name in sorted(read) if name in doubted_names), None)
+        for name in names.makes:
+            doubted_names.pop(name, None)
+        made = names.makes.keys() if origin is not None else set[str]()
         if stop is None:
             for name in names.makes:
                 of_names.pop(name, None)
+            for package, around in names.imports.items():
+                if (state := package_state(package, packages)) != "installed":
+                    error = f"No module named '{package}'"
+                    found[index] = StoppedCell("package", package, error, (), state == "missing", state)
+                    origin, made = index, made | around
+        if origin is not None:
+            doubted[cell.id] = origin
+            doubted_names |= dict.fromkeys(made, origin)
+        if stop is None:
             continue
         blame = of_names.get(stop.about, index) if stop.kind == "name" else index
         if blame == index:
             found[index] = _stopped(stop, run, packages, ran_well.get(run.id, False))
         of_cells[cell.id] = blame
         of_names |= dict.fromkeys(names.makes, blame)
-    return Stops(found, of_cells, of_names)
+    return Stops(found, of_cells, of_names, doubted)
 
 
 def _stopped(stop: CellStop, run: CellRun, packages: Sequence[str] | None, ran_well: bool) -> StoppedCell:
@@ -112,9 +133,11 @@ def package_state(module: str, declared: Sequence[str] | None) -> str:
 
 def with_parts(stops: Stops, lost: Mapping[str, int], packages: Mapping[str, str]) -> tuple[StoppedCell, ...]:
     """The stopped cells in their order, each with the parts `lost` by it; `packages` are those that a part's own function missed."""
+    blamed = {*stops.of_cells.values(), *lost.values()}
     cells = [
         replace(cell, parts=tuple(part for part, by in lost.items() if by == index))
         for index, cell in stops.cells.items()
+        if index in blamed
     ]
     by_package: dict[str, list[str]] = {}
     for part, package in packages.items():
@@ -181,6 +204,16 @@ def needs_person(name: str, why: str) -> str:
         "No answer was found. The cell of {part} stopped: {why}. Your teacher will mark it.",
         part=name,
         why=why,
+    )
+
+
+def may_differ(name: str, package: str) -> str:
+    """What a student reads of a part that waits because its cell gets by without a package."""
+    return _(
+        "What the cell of {part} gives may depend on {package}, which is missing on the computer that marks. "
+        "Your teacher will mark it.",
+        part=name,
+        package=package,
     )
 
 
