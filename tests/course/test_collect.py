@@ -624,11 +624,57 @@ def test_a_second_number_does_not_replace_what_came_under_the_first(course: Path
     alone = {OTHERS: sheet(course, "ada", note="other"), ben: sheet(course, "ben")}
     assert outcomes(collected(course, archive(tmp_path / "3.zip", alone, day=5)))[OTHERS] == NOBODY
     assert taken(course)["ada"] == sheet(course, "ada")
+    lonely = {OTHERS: sheet(course, "ada", note="other")}
+    found = collected(course, archive(tmp_path / "4.zip", lonely, day=5))
+    assert outcomes(found) == {OTHERS: NOBODY}
+    assert any(
+        "none of their files is taken (the student's number is 17)" in each for each in found.conflicts
+    )
+    assert taken(course)["ada"] == sheet(course, "ada")
     # a second assignment of Moodle's, for those who are late, has other numbers for everybody
-    anew = {"Ada Lovelace_501_assignsubmission_file_/one.ipynb": sheet(course, "ada", note="anew")}
-    assert outcomes(collected(course, archive(tmp_path / "4.zip", anew, day=6))) == dict.fromkeys(
+    anew = {
+        "Ada Lovelace_501_assignsubmission_file_/one.ipynb": sheet(course, "ada", note="anew"),
+        "Ben Bóol_502_assignsubmission_file_/one.ipynb": sheet(course, "ben", note="anew"),
+    }
+    assert outcomes(collected(course, archive(tmp_path / "5.zip", anew, day=6))) == dict.fromkeys(
         anew, ACCEPTED
     )
+
+
+def test_a_file_that_is_renamed_to_its_student_keeps_the_time_of_its_hand_in(
+    course: Path, tmp_path: Path
+) -> None:
+    theirs = sheet(course, "ada")
+    both = {ADAS: theirs, OTHERS: sheet(course, "ada", note="other")}
+    zipped = archive(tmp_path / "all.zip", both, day=3)
+    assert set(outcomes(collected(course, zipped)).values()) == {NOBODY}
+    (renamed := tmp_path / "ada.ipynb").write_bytes(theirs)
+    late = datetime(2026, 12, 20, 9, 0, tzinfo=UTC).timestamp()
+    os.utime(renamed, (late, late))
+    worksheet = tmp_path / "grades.csv"
+    worksheet.write_text(
+        "Identifier,Full name,Last modified (submission)\n"
+        'Participant 17,Ada Lovelace,"Thursday, 3 December 2026, 9:00 AM"\n'
+    )
+    collected(course, renamed, times=worksheet)
+    assert (taken(course)["ada"], when(course, "ada")) == (theirs, "03 09:00")
+    # from then on her number is known
+    assert outcomes(collected(course, zipped)) == {ADAS: UNCHANGED, OTHERS: NOBODY}
+
+
+def test_a_file_that_is_renamed_to_its_student_is_late_by_no_time_of_a_copy(
+    course: Path, tmp_path: Path
+) -> None:
+    theirs = sheet(course, "ada")
+    collected(
+        course, archive(tmp_path / "all.zip", {ADAS: theirs, OTHERS: sheet(course, "ada", note="x")}, day=3)
+    )
+    (renamed := tmp_path / "ada.ipynb").write_bytes(theirs)
+    late = datetime(2026, 12, 20, 9, 0, tzinfo=UTC).timestamp()
+    os.utime(renamed, (late, late))
+    found = collected(course, renamed)
+    assert when(course, "ada") == "04 23:59"
+    assert "does not say when anything was handed in" in found.remarks[0]
 
 
 def test_the_worksheet_tells_by_address_whose_a_number_is(course: Path, tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ import msgspec
 from corollary.atomic import SIDE_BY_SIDE, write_whole
 from corollary.course.failure_log import FailureLog
 from corollary.course.hand_in_time import Times, dated, read_times
-from corollary.course.lms_numbers import OwnFiles, known_numbers
+from corollary.course.lms_numbers import OwnFiles, as_they_came, known_numbers
 from corollary.course.lms_places import worksheet_numbers
 from corollary.course.owner import LATER, Found, directory_of, identified, not_a_notebook, numbers_before
 from corollary.guard import Failure, guarded
@@ -216,7 +216,7 @@ def collect(
                 found = stumbled
             arrivals.append(found)
     own = OwnFiles(known_numbers(roster, numbers_before(roster, before), by_id), known)
-    met = own.of(met)
+    met = as_they_came(own.of(met), (*before, *own.refused))
     arrivals += own.refused
     conflicts += own.conflicts
     deadlines = read_deadlines(course, problem_set)

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import msgspec
 
 from corollary.course.owner import Found
 from corollary.messages import few
 from corollary.problem.roster import Student
-from corollary.records.lms_names import canvas_ids
-from corollary.records.submissions import NOBODY, Arrival, writable
+from corollary.records.lms_names import LmsName, canvas_ids, lms_name
+from corollary.records.submissions import NOBODY, Arrival, digest_of, writable
 
 NAMES = {"moodle": "Moodle", "canvas": "Canvas"}
 
@@ -50,24 +50,31 @@ class OwnFiles:
 
     def of(self, met: Sequence[Found]) -> list[Found]:
         """Those to go on with. A second number is somebody else's: a namesake, or who took the student's display name."""
-        here = {_number(each) for each in met if each.lms}
-        remembered = here & {*self.known.earlier, *self.known.by_id}
-        again = {lms for lms in NAMES if any(_is_of(lms, each) for each in remembered)}
         groups: dict[tuple[str, str], list[Found]] = {}
         for each in met:
             if each.lms:
                 groups.setdefault((each.student, each.lms.lms), []).append(each)
+        same = {lms for lms in NAMES if self._is_same_assignment(lms, groups)}
         accepted = {id(each) for each in met if not each.lms}
         for (student, lms), theirs in groups.items():
-            own = self._own(student, lms, theirs, lms in again)
+            own = self._own(student, lms, theirs, lms in same)
             accepted |= {id(each) for each in theirs if own is None or _number(each) in own}
             if own is not None and (left := [each for each in theirs if _number(each) not in own]):
-                self._refuse(student, lms, left, own)
+                self._refuse(student, lms, theirs, left, own)
         return [each for each in met if id(each) in accepted]
 
+    def _is_same_assignment(self, lms: str, groups: Mapping[tuple[str, str], Sequence[Found]]) -> bool:
+        """True if a new number is a new person, since numbers of this assignment are known. Another assignment of the LMS gives all
+        its students new numbers."""
+        numbers = {_number(each) for (_, of), theirs in groups.items() if of == lms for each in theirs}
+        if numbers & {*self.known.earlier, *self.known.by_id}:
+            return True
+        changed = [student for student, of in groups if of == lms and self.known.before(student, lms)]
+        return len(changed) == 1
+
     def _own(self, student: str, lms: str, theirs: Sequence[Found], same: bool) -> Collection[str] | None:
-        """The numbers whose files are taken; None where nothing speaks against any. `same`: other numbers of this
-        assignment are known from a worksheet or an earlier collect, so that a new number is a new person."""
+        """The numbers whose files are taken; None where nothing speaks against any. `same`: the numbers of this assignment are known
+        from a worksheet or an earlier collect, so that a new number is a new person."""
         named = [each for each in theirs if each.named] or theirs
         numbers = {_number(each) for each in named}
         others = {each for each in numbers if self.known.by_id.get(each, student) != student}
@@ -80,7 +87,9 @@ class OwnFiles:
             return before
         return () if len(numbers) > 1 else None
 
-    def _refuse(self, student: str, lms: str, left: Sequence[Found], own: Collection[str]) -> None:
+    def _refuse(
+        self, student: str, lms: str, theirs: Sequence[Found], left: Sequence[Found], own: Collection[str]
+    ) -> None:
         who, name = self._called(student), NAMES[lms]
         numbers = sorted({_short(_number(each)) for each in left}, key=lambda each: (len(each), each))
         hers = ", ".join(sorted(map(_short, own)))
@@ -109,7 +118,10 @@ class OwnFiles:
             self.refused.append(msgspec.structs.replace(arrival, student=""))
         count = "one more number" if own and len(numbers) == 1 else f"{len(numbers)} numbers"
         files = few([writable(each.member.name) for each in left], 4)
-        outcome = f"only the file under {hers} is taken" if own else "none of their files is taken"
+        came = {_number(each) for each in theirs} & {*own}
+        outcome = f"only the file under {hers} is taken" if came else "none of their files is taken"
+        if own and not came:
+            outcome += f" (the student's number is {hers})"
         self.conflicts.append(
             f"{who} has {count} in {name} ({few(numbers, 4)}): two people handed in under one name, and {outcome}, not {files}; {do}"
         )
@@ -117,6 +129,20 @@ class OwnFiles:
     def _called(self, student: str) -> str:
         about = self.roster.get(student)
         return student if about is None else about.name_with_id
+
+
+def as_they_came(met: Sequence[Found], arrivals: Iterable[Arrival]) -> list[Found]:
+    """The files, each that somebody renamed with the name under which the LMS gave it (the same content came under it): its time
+    and number are those of the hand-in, and not those of a copy on somebody's disk."""
+    by_digest: dict[str, dict[str, LmsName]] = {}
+    for each in arrivals:
+        if each.digest and (lms := lms_name(each.file.split("/"))):
+            by_digest.setdefault(each.digest, {})[lms.number] = lms
+    found = list[Found]()
+    for each in met:
+        names = {} if each.lms else by_digest.get(digest_of(each.content), {})
+        found.append(replace(each, lms=next(iter(names.values()))) if len(names) == 1 else each)
+    return found
 
 
 def _number(found: Found) -> str:

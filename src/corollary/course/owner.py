@@ -90,11 +90,14 @@ def directory_of(
 
 
 def numbers_before(roster: Sequence[Student], before: Sequence[Arrival]) -> dict[str, str]:
-    """The numbers, such as "moodle 17", that came earlier under names of the students themselves, with the id of each."""
+    """The numbers, such as "moodle 17", that came earlier under names of the students themselves, with the id of each. A number of
+    a file without an LMS's name is that of a file which somebody renamed to its student."""
     names = Directory(roster)
-    own = [
-        each for each in before if (lms := lms_name(each.file.split("/"))) and names.admits(lms, each.student)
-    ]
+    own: list[Arrival] = []
+    for each in before:
+        lms = lms_name(each.file.split("/"))
+        if each.number and (lms is None or names.admits(lms, each.student)):
+            own.append(each)
     return numbers_of(own)
 
 
