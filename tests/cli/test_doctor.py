@@ -283,6 +283,13 @@ def test_the_advice_for_a_bank_that_has_moved_works_as_it_stands(course: Path, t
     assert done.exit_code == 0, done.stderr
     assert doctor()[1]["set one"]["state"] == "good"
 
+    (away := tmp_path / "away").mkdir()
+    set_file.rename(away / "one.md")
+    remedy = doctor()[1]["set one"]["remedy"]
+    command = remedy.partition(",")[0].replace("PATH", str(away))
+    assert CliRunner().invoke(app, shlex.split(command)[1:]).exit_code == 0
+    assert doctor()[1]["set one"]["state"] == "good"
+
 
 def test_a_plug_in_that_cannot_be_loaded(course: Path, installed):
     installed("theirs", {"corollary.exports": ["braille = nowhere_at_all:TARGET"]}, {})

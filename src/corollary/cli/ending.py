@@ -7,7 +7,7 @@ import json
 import os
 import sys
 from collections.abc import Callable, Iterable, Mapping
-from errno import ENOSPC
+from errno import ENOSPC, EROFS
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -149,15 +149,17 @@ def expected() -> tuple[type[BaseException], ...]:
     )
 
 
+REMEDIES = {
+    ENOSPC: "; free disk space and run this again; what is written so far is valid",
+    EROFS: "; this disk cannot be written to: copy the course to another one, or mount this one for writing",
+}
+
+
 def _unforeseen(error: Exception) -> int:
     """A fault of ours, or of the machine: one sentence, and the traceback only when asked for."""
     sentence = unforeseen(error)
     if isinstance(error, OSError):
-        remedy = (
-            "; free disk space and run this again; what is written so far is valid"
-            if error.errno == ENOSPC
-            else ""
-        )
+        remedy = REMEDIES.get(error.errno or 0, "")
         say(f"corollary: {error.strerror or error}{f': {error.filename}' if error.filename else ''}{remedy}")
         return REFUSED
     say(f"corollary: {sentence}")

@@ -24,7 +24,7 @@ from corollary.problem.bank import UnknownCode, chapter_bank, files, open_bank
 from corollary.problem.dates import machine_zone, zone_named
 from corollary.problem.diagnostic import Finding, Malformed
 from corollary.records.files import Course, NotACourse, at_work, open_course, students
-from corollary.records.origin import bank_near, set_of
+from corollary.records.origin import SetFileGone, bank_near, set_of
 from corollary.records.settings import FILE, Settings, read_settings
 from corollary.version import DISTRIBUTION, full_version
 
@@ -277,9 +277,11 @@ def _encoding() -> Finding:
 
 
 def _banks(course: Course | None, settings: Settings) -> Iterator[Finding]:
-    def found(name: str, look: Callable[[], str], remedy: str) -> Finding:
+    def found(name: str, look: Callable[[], str], remedy: str, remedy_of_file: str = "") -> Finding:
         try:
             return Finding(name, "good", look())
+        except SetFileGone as error:
+            return Finding(name, "broken", str(error), remedy_of_file)
         except (UnknownCode, Malformed, NotACourse, PlugInFault) as error:
             return Finding(name, "broken", str(error), remedy)
 
@@ -302,6 +304,7 @@ def _banks(course: Course | None, settings: Settings) -> Iterator[Finding]:
             f"set {name}",
             lambda name=name: f"{set_of(course, name)[1].title}, from {set_of(course, name)[0].place}",
             _bank_named(course, name),
+            f"corollary generate PATH/{quote(f'{name}.md')} --course {quote(str(course.folder))}, PATH being the file's folder",
         )
 
 

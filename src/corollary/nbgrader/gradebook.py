@@ -7,7 +7,7 @@ import sqlite3
 import sys
 from collections.abc import Generator
 from contextlib import closing, contextmanager
-from errno import ENOSPC
+from errno import EACCES, ENOSPC
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -115,6 +115,9 @@ def gradebook(course: Course) -> Generator[Gradebook]:
     except DatabaseError as error:
         if "disk is full" in str(error.orig):
             raise OSError(ENOSPC, os.strerror(ENOSPC), str(course.gradebook)) from None
+        if "readonly" in str(error.orig):
+            with course.gradebook.open("r+b"):  # it raises why: the file's rights, or those of the whole disk
+                raise PermissionError(EACCES, os.strerror(EACCES), str(course.gradebook.parent)) from None
         if "locked" not in str(error.orig):
             raise GradebookUnusable(
                 f"{course.gradebook} cannot be used ({error.orig}); restore it from a backup, or move it away and grade again: "

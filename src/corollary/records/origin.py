@@ -32,6 +32,10 @@ from corollary.records.files import Course, NotACourse
 from corollary.records.settings import read_settings
 
 
+class SetFileGone(UnknownCode):
+    """The file that a set was generated from is not there any more."""
+
+
 @dataclass(frozen=True, slots=True)
 class SetOrigin:
     """Where a set came from: its banks as names, and its file, seen from the course; `course` is where the course then lay.
@@ -218,9 +222,9 @@ def home_in_course(course: Course, code: str) -> tuple[Bank, Problem] | None:
 
 
 def _check_is_there(course: Course, set_name: str, bank: Bank, file: Path | None) -> None:
-    """Raise UnknownCode where the set is no longer where the record says."""
+    """Raise UnknownCode where the set is no longer where the record says: SetFileGone where that is a file."""
     if file is not None and not file.is_file():
-        raise UnknownCode(
+        raise SetFileGone(
             f"{set_name} was generated from {file}, which is not there any more; {_give_its_file(set_name)}"
         )
     if file is None and file_of_set(bank, set_name) is None:
