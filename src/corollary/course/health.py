@@ -24,7 +24,7 @@ from corollary.problem.bank import UnknownCode, chapter_bank, files, open_bank
 from corollary.problem.dates import machine_zone, zone_named
 from corollary.problem.diagnostic import Finding, Malformed
 from corollary.records.files import Course, NotACourse, at_work, open_course, students
-from corollary.records.origin import SetFileGone, bank_near, set_of
+from corollary.records.origin import bank_near, is_file_gone, set_of
 from corollary.records.settings import FILE, Settings, read_settings
 from corollary.version import DISTRIBUTION, full_version
 
@@ -277,11 +277,9 @@ def _encoding() -> Finding:
 
 
 def _banks(course: Course | None, settings: Settings) -> Iterator[Finding]:
-    def found(name: str, look: Callable[[], str], remedy: str, remedy_of_file: str = "") -> Finding:
+    def found(name: str, look: Callable[[], str], remedy: str) -> Finding:
         try:
             return Finding(name, "good", look())
-        except SetFileGone as error:
-            return Finding(name, "broken", str(error), remedy_of_file)
         except (UnknownCode, Malformed, NotACourse, PlugInFault) as error:
             return Finding(name, "broken", str(error), remedy)
 
@@ -303,15 +301,17 @@ def _banks(course: Course | None, settings: Settings) -> Iterator[Finding]:
         yield found(
             f"set {name}",
             lambda name=name: f"{set_of(course, name)[1].title}, from {set_of(course, name)[0].place}",
-            _bank_named(course, name),
-            f"corollary generate PATH/{quote(f'{name}.md')} --course {quote(str(course.folder))}, PATH being the file's folder",
+            _place_named(course, name),
         )
 
 
-def _bank_named(course: Course, name: str) -> str:
+def _place_named(course: Course, name: str) -> str:
     """The command after which a set is found again; it takes the bank that lies near, where there is one."""
+    in_course = f"--course {quote(str(course.folder))}"
+    if is_file_gone(course, name):
+        return f"corollary generate {quote(f'PATH/{name}.md')} {in_course}, PATH being the file's folder"
     near = bank_near(course, name)
-    command = f"corollary generate {quote(name)} --course {quote(str(course.folder))} --bank "
+    command = f"corollary generate {quote(name)} {in_course} --bank "
     return command + (quote(str(near)) if near else "DIR, DIR being the bank's folder")
 
 

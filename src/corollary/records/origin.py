@@ -32,10 +32,6 @@ from corollary.records.files import Course, NotACourse
 from corollary.records.settings import read_settings
 
 
-class SetFileGone(UnknownCode):
-    """The file that a set was generated from is not there any more."""
-
-
 @dataclass(frozen=True, slots=True)
 class SetOrigin:
     """Where a set came from: its banks as names, and its file, seen from the course; `course` is where the course then lay.
@@ -222,9 +218,9 @@ def home_in_course(course: Course, code: str) -> tuple[Bank, Problem] | None:
 
 
 def _check_is_there(course: Course, set_name: str, bank: Bank, file: Path | None) -> None:
-    """Raise UnknownCode where the set is no longer where the record says: SetFileGone where that is a file."""
+    """Raise UnknownCode where the set is no longer where the record says."""
     if file is not None and not file.is_file():
-        raise SetFileGone(
+        raise UnknownCode(
             f"{set_name} was generated from {file}, which is not there any more; {_give_its_file(set_name)}"
         )
     if file is None and file_of_set(bank, set_name) is None:
@@ -390,6 +386,14 @@ def _bank_has_moved(course: Course, set_name: str, origin: SetOrigin) -> str:
         f"{set_name} was generated from the bank {os.pathsep.join(places)}, which is not there any more; {hint}: "
         "the course remembers it, and all students keep their numbers"
     )
+
+
+def is_file_gone(course: Course, set_name: str) -> bool:
+    """True if a set's bank is found, and the file that it was generated from is not."""
+    with suppress(NotACourse, UnknownCode):
+        file = _recorded(course, set_name)[1]
+        return file is not None and not file.is_file()
+    return False
 
 
 def bank_near(course: Course, set_name: str) -> Path | None:

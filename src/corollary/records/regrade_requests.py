@@ -14,12 +14,13 @@ import msgspec
 from corollary.atomic import write_whole
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
+from corollary.records.lms_names import again
 from corollary.sandbox.file import bytes_of
 
 MOST_BYTES: Final = 20_000
 LONGEST: Final = 2_000  # characters for one part
 HEADING = re.compile(r"^\s{0,3}#{1,6}\s+(\S+)\s*\(([^()\s]{1,12})\)")
-NAME = re.compile(r"request_([\w.-]+?)(?:[ _]?\(?\d{1,2}\)?)?(?:\.(?:md|txt|markdown))+$", re.IGNORECASE)
+NAME = re.compile(r"request_([\w. ()-]+?)(?:\.(?:md|txt|markdown))+$", re.IGNORECASE)
 
 
 class RegradeRequest(msgspec.Struct, frozen=True):
@@ -44,7 +45,7 @@ def file_name(set_name: str) -> str:
 def is_request(name: str, set_name: str) -> bool:
     """Whether a file's own name says that it is a request about this set, as an LMS or a browser may have changed it."""
     found = NAME.search(name.rsplit("/", 1)[-1])
-    return found is not None and found[1].casefold() == set_name.casefold()
+    return found is not None and set_name.casefold() in {found[1].casefold(), again(found[1])[0].casefold()}
 
 
 def requests_in(content: bytes, parts: Mapping[tuple[str, str], str], at: str) -> list[RegradeRequest]:

@@ -1,0 +1,28 @@
+"""A request for regrading is known by its file's name, as students, browsers and LMSs leave it."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.records.regrade_requests import file_name, is_request
+
+SETS = ("week", "week1", "momentum_1", "Week-2", "set.3")
+
+
+@pytest.mark.parametrize("name", SETS)
+@pytest.mark.parametrize(
+    "change",
+    ["{}.md", "{}.txt", "{}.md.txt", "{} (1).md", "{}(2).md", "{}-1.md", "{} copy.md", "Ada_17_assignsubmission_file_/{}.md",
+     "lovelaceada_2001_5678_{}-1.md", "ada/{}.MD"],
+)  # fmt: skip
+def test_the_form_of_a_set_is_known_whatever_was_appended_to_its_name(name: str, change: str) -> None:
+    stem = file_name(name).removesuffix(".md")
+    assert is_request(change.format(stem), name)
+    assert is_request(change.format(stem.upper()), name)
+
+
+@pytest.mark.parametrize(
+    "name", ["request_week2.md", "request_week1.ipynb", "week1.md", "request.md", "request_week12.md"]
+)
+def test_other_files_are_none(name: str) -> None:
+    assert not is_request(name, "week1")
