@@ -71,7 +71,7 @@ def find_data(course: Course, person: Person) -> PersonalData:
             found.places.append(held[0])
     for place in exchange_places(course, person.id, _digests(course, person)):
         found.places.append(DataPlace(str(place), "delete", 1))
-    found.left |= _beyond_reach(course)
+    found.left |= _beyond_reach(course) | _by_name_alone(person)
     return found
 
 
@@ -101,7 +101,7 @@ def take_out(
             continue
         done.places.append(place)
     _reports_again(course, done)
-    done.left |= _beyond_reach(course)
+    done.left |= _beyond_reach(course) | _by_name_alone(person)
     for parts, path in _files(course):
         if parts not in (LOG, KEY) and parts[:3] != PROBLEMS:
             _mentioned(parts, path, person, done)
@@ -117,6 +117,8 @@ def person_archive(course: Course, person: Person) -> tuple[bytes, PersonalData]
         for parts, path in _files(course):
             parted = _separated(course, parts, path, person, found)
             if parted is None or not parted.is_changed:
+                if parts not in (LOG, KEY) and parts[:3] != PROBLEMS:
+                    _mentioned(parts, path, person, found)
                 continue
             found.places.append(DataPlace("/".join(parts), _action(parted), parted.entries))
             where = PurePosixPath(*parts)
@@ -131,7 +133,7 @@ def person_archive(course: Course, person: Person) -> tuple[bytes, PersonalData]
             "course": course.name,
             "made": datetime.now(UTC).isoformat(timespec="seconds"),
             "places": [each.path for each in found.places],
-            "not included": _beyond_reach(course),
+            "not included": found.left | _beyond_reach(course) | _by_name_alone(person),
         }
         archive.writestr("about.json", json.dumps(about, indent=1, ensure_ascii=False))
     return target.getvalue(), found
@@ -283,6 +285,16 @@ def _beyond_reach(course: Course) -> dict[str, str]:
             "the gradebook lies elsewhere; remove the student there with nbgrader db student remove"
         )
     return found
+
+
+def _by_name_alone(person: Person) -> dict[str, str]:
+    """What cannot be told apart where two on the roster have one name."""
+    if not person.namesakes:
+        return {}
+    others = ", ".join(person.namesakes)
+    return {
+        person.student.name: f"is the name of {others}, too: what has this name and no id or address is not counted as theirs; look for it"
+    }
 
 
 def _mentioned(parts: tuple[str, ...], path: Path, person: Person, done: PersonalData) -> None:

@@ -18,18 +18,21 @@ OWN_FOLDERS = ("release", "submitted", "autograded", "feedback")
 SHORT = 3  # letters of an id that may be any word or number where it stands in a text
 WORDS = re.compile(r"[\s_,;()+]+|(?<=\w)-(?=\w)")
 BRACKETED = re.compile(r"\(([^()]+)\)")  # the id behind a name, as in given_out/Lund Ada (ada)
+ADDRESS = re.compile(r"[^@\s]+@[^@\s]+\.\w+")
 PACKED = re.compile(r"(\.(ipynb|txt|json|zip|html?|pdf|csv|md|eml|tar|gz|tgz|xz))+$", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
 class Person:
-    """One student, with the rest of the course that tells them from others. `numbers` are "moodle 17" and the like."""
+    """One student, with the rest of the course that tells them from others. `numbers` are "moodle 17" and the like, each with its
+    student; `strangers` are those of files that were taken from nobody."""
 
     student: Student
     roster: tuple[Student, ...]
     numbers: dict[str, str]
     sets: tuple[str, ...]
     everybody: frozenset[str]
+    strangers: frozenset[str] = frozenset()
 
     @property
     def id(self) -> str:
@@ -41,9 +44,18 @@ class Person:
         return Directory(roster, self.numbers)
 
     @cached_property
+    def namesakes(self) -> tuple[str, ...]:
+        """The ids of others on the roster who have the same name."""
+        name = self.student.name.casefold()
+        return tuple(each.id for each in self.roster if each.id != self.id and each.name.casefold() == name)
+
+    @cached_property
     def full_names(self) -> tuple[str, ...]:
-        """Each way in which first and last name are written together; none where one of them is missing."""
+        """Each way in which first and last name are written together; none where one of them is missing, or where a namesake is on
+        the roster: by the name alone nothing is this student's."""
         first, last = self.student.first_name, self.student.last_name
+        if self.namesakes:
+            return ()
         return (f"{first} {last}", f"{last} {first}", f"{last}, {first}") if first and last else ()
 
     @cached_property
@@ -59,21 +71,39 @@ class Person:
     @cached_property
     def pattern(self) -> re.Pattern[str]:
         """A mention in a text: id, address, an id of an LMS, or the whole name; numbers and ids of two letters are none."""
-        words = {self.id, *self.other_ids, *self.full_names}
-        words = {word for word in words if len(word) >= SHORT}
-        either = "|".join(re.escape(word) for word in sorted(words, key=len, reverse=True))
-        return re.compile(rf"(?<![\w@.-])(?:{either or r'(?!)'})(?![\w@]|[.-]\w)")
+        ids = _any_of({self.id, *self.other_ids})
+        names = _any_of(self.full_names)  # an LMS puts a _ behind them, and v_max is no student
+        return re.compile(
+            rf"(?<![\w@.-])(?:{ids})(?![\w@]|[.-]\w)|(?<![^\W_]|[@.-])(?:{names})(?![^\W_]|@|[.-]\w)"
+        )
 
     def is_named_by(self, value: object) -> bool:
         """True if a field of a record holds nothing but a name of this student."""
-        return isinstance(value, str) and (
-            value in {self.id, *self.other_ids, *self.full_names, *self.own_number}
+        return self.is_identified_by(value) or value in self.full_names
+
+    def is_identified_by(self, value: object) -> bool:
+        """True if a field holds what nobody else has: the id, the address, an id or number of the LMS."""
+        return isinstance(value, str) and value in {self.id, *self.other_ids, *self.own_number}
+
+    def is_another(self, value: str) -> bool:
+        """True if a field of an id or an address holds somebody else's."""
+        return (value in self.everybody and value != self.id) or (
+            value not in self.other_ids and (value in self._others or ADDRESS.fullmatch(value) is not None)
+        )
+
+    @cached_property
+    def _others(self) -> frozenset[str]:
+        theirs = (each for each in self.roster if each.id != self.id)
+        return frozenset(
+            value for each in theirs for value in (each.email, *(value for _, value in each.ids)) if value
         )
 
     def owns_path(self, parts: Sequence[str]) -> bool | None:
         """True if the first name in a path that is a student's is this one's, False if another's, None if there is none."""
         for part in parts:
             if (found := lms_name([part])) is not None:
+                if f"{found.lms} {found.number}" in self.strangers:
+                    return False
                 whose = self.directory.of_lms(found)
                 if whose is not None or found.name:
                     return whose == self.id or (whose is None and found.name in self.full_names)
@@ -117,11 +147,19 @@ def person_of(course: Course, student: Student) -> Person:
             f"{student.id} is the name of a set or of a folder of the course, too: its files cannot be told apart from the student's; "
             "rename the set, then run this again"
         )
-    numbers: dict[str, str] = {}
+    numbers, refused = dict[str, str](), set[str]()
     for each in sets:
-        numbers |= numbers_of(read_arrivals(course, each))
+        arrivals = read_arrivals(course, each)
+        numbers |= numbers_of(arrivals)
+        refused |= {one.number for one in arrivals if one.number and not one.student}
     everybody = frozenset(_in_records(course)) | {each.id for each in (*roster, student)}
-    return Person(student, roster, numbers, tuple(sets), everybody)
+    return Person(student, roster, numbers, tuple(sets), everybody, frozenset(refused - numbers.keys()))
+
+
+def _any_of(words: Iterable[str]) -> str:
+    """A pattern of the words that are long enough to mean somebody."""
+    several = sorted((word for word in words if len(word) >= SHORT), key=len, reverse=True)
+    return "|".join(map(re.escape, several)) or r"(?!)"
 
 
 def _sets(course: Course) -> list[str]:

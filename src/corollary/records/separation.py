@@ -23,7 +23,8 @@ REMOVED = "[removed]"
 OWNER = frozenset(
     {"student", "other", "id", "username", "user", "email", "owner", "who", "student_id", "by_student"}
 )
-SENTENCES = frozenset({"why", "note", "notes", "trouble", "what", "remarks", "comment", "file", "sentence"})
+SENTENCES = frozenset({"why", "note", "notes", "trouble", "what", "remarks", "file", "sentence"})
+"""Fields with a sentence of this program, in which a name can be taken out; what a person wrote stays, and is listed."""
 ENTRY = re.compile(r"^(?=\d{4}-\d\d-\d\d \d\d:\d\d:\d\d UTC )", re.MULTILINE)
 MOST_BYTES, DEEPEST = 1 << 30, 3  # of a member of an archive, and archives within archives
 TABLES = (".csv", ".tsv")
@@ -175,7 +176,10 @@ def _split(value: Any, person: Person, key: str) -> tuple[Any, list[object]]:
 
 
 def _is_theirs(record: dict[str, Any], person: Person) -> bool:
-    if any(key in OWNER and person.is_named_by(value) for key, value in record.items()):
+    owners = [value for key, value in record.items() if key in OWNER and isinstance(value, str)]
+    if any(map(person.is_identified_by, owners)):
+        return True
+    if any(map(person.is_named_by, owners)) and not any(map(person.is_another, owners)):
         return True
     if record.get("number") in person.own_number:
         return True
@@ -215,16 +219,29 @@ def _table(content: bytes, person: Person) -> Separated:
 
 
 def _row_is_theirs(head: Sequence[str], row: Sequence[str], person: Person) -> bool:
+    """By an id, an address or a number; by the name where none of these is another's."""
     cells = [cell.strip() for cell in row]
-    participants = {number.partition(" ")[2] for number in person.own_number if number.startswith("moodle ")}
+    moodles = {number.partition(" ")[2] for number in person.own_number if number.startswith("moodle ")}
+    theirs = {number.partition(" ")[2] for number in person.strangers if number.startswith("moodle ")}
+    named = another = False
     for heading, cell in zip((*head, *[""] * len(row)), cells, strict=False):
         of_ids = any(word in heading for word in ("id", "user", "student", "mail", "login", "number"))
-        if person.is_named_by(cell) and (of_ids or len(cell) >= SHORT_CELL):
-            return True
-        if heading.startswith("identifier") and cell.rpartition(" ")[2] in participants:
-            return True
+        if of_ids or len(cell) >= SHORT_CELL:
+            if person.is_identified_by(cell):
+                return True
+            named = named or person.is_named_by(cell)
+        if heading.startswith("identifier"):
+            number = cell.rpartition(" ")[2]
+            if number in moodles:
+                return True
+            another = another or number in theirs
+        another = another or (of_ids and person.is_another(cell))
+    if another or person.namesakes:
+        return False
     first, last = person.student.first_name, person.student.last_name
-    return bool(first and last) and any(pair in ((first, last), (last, first)) for pair in pairwise(cells))
+    return named or (
+        bool(first and last) and any(pair in ((first, last), (last, first)) for pair in pairwise(cells))
+    )
 
 
 def _log(content: bytes, person: Person) -> Separated:
@@ -251,6 +268,10 @@ def _zip(content: bytes, person: Person, depth: int) -> Separated:
             parts = [part for part in member.filename.split("/") if part]
             if not parts or member.file_size > MOST_BYTES:
                 raise ValueError("a member that cannot be read")
+            if member.is_dir():
+                if not person.owns_path(parts):
+                    rest.writestr(member, b"")
+                continue
             held = archive.read(member)
             done = _member(parts, held, person, depth)
             theirs += [
