@@ -4,7 +4,9 @@ The pages Corollary writes are read offline, and browsers lay MathML out well on
 a formula carries this one. STIX Two Math (1.5 MB, SIL Open Font License 1.1) comes with the Python package ziamath, or from the
 STIX project. Needed to run this, and for nothing else: fonttools and brotli.
 
-    python docs/mathematics_font.py STIXTwoMath-Regular.ttf src/corollary/render/templates/mathematics.woff2
+    python docs/mathematics_font.py STIXTwoMath-Regular.ttf src/corollary/render/templates
+
+The second file, half as large, has the letters of most formulas: italic, and no bold ones.
 """
 
 from __future__ import annotations
@@ -30,9 +32,17 @@ SIGNS = (
     "\u00a0¬°±·×÷¯¨²³´µ`ϑϕϖϱϵℎℏℓıȷˆ˜˙′″\u2061‾―–—’…\u0305\u20d7ℂℝℕℤℒ"
     "←→↔⇐⇒⇔↦⟹∂∇∆∈∀∃∑∏−∓∕∗∘√∝∞∠∣∥∫∮∴∼≃≅≈≠≡≤≥≪≫⊥⋅⋯⋮⌈⌉⌊⌋⟨⟩‖⏞⏟"
 )
+# `USUAL` in `corollary/render/page.py` has the same, by which a page is given the smaller file.
+USUAL_RANGES = ((0x20, 0x7E), (0x3B1, 0x3C9), (0x1D434, 0x1D467), (0x1D6FC, 0x1D71B))
+USUAL_SIGNS = "\u00a0°·±×ℎΔ\u2061…′→∂∑−√∞∫˙⃗¨≈≠≤≥≪≫⋅"
 
 
-def main(source: str, target: str) -> None:
+def main(source: str, folder: str) -> None:
+    make(source, RANGES, SIGNS, Path(folder) / "mathematics.woff2")
+    make(source, USUAL_RANGES, USUAL_SIGNS, Path(folder) / "mathematics_usual.woff2")
+
+
+def make(source: str, ranges: tuple[tuple[int, int], ...], signs: str, target: Path) -> None:
     options = Options()
     options.flavor, options.hinting, options.layout_features, options.notdef_outline = (
         "woff2",
@@ -41,8 +51,8 @@ def main(source: str, target: str) -> None:
         True,
     )
     font = TTFont(source)
-    letters = {code for first, last in RANGES for code in range(first, last + 1)} | {
-        ord(sign) for sign in SIGNS
+    letters = {code for first, last in ranges for code in range(first, last + 1)} | {
+        ord(sign) for sign in signs
     }
     subsetter = Subsetter(options)
     subsetter.populate(unicodes=letters)
@@ -52,7 +62,7 @@ def main(source: str, target: str) -> None:
             entry.string = NAME.replace(" ", "") if entry.nameID == 6 else NAME
     font.flavor = "woff2"
     font.save(target)
-    print(f"{target}: {len(font.getGlyphOrder())} glyphs, {Path(target).stat().st_size} bytes")
+    print(f"{target}: {len(font.getGlyphOrder())} glyphs, {target.stat().st_size} bytes")
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from corollary.render.mathml import ATTRIBUTES, TAGS, formula, mathml
-from corollary.render.page import font
+from corollary.render.page import USUAL, font, font_file
 
 APPLY = "\u2061"
 PIECES = [
@@ -127,7 +127,7 @@ def test_the_font_has_the_letters_of_mechanics():
     pytest.importorskip("brotli", reason="woff2 is compressed with brotli")
     from fontTools.ttLib import TTFont
 
-    face = TTFont(BytesIO(b64decode(font())))
+    face = TTFont(BytesIO(b64decode(font("mathematics.woff2"))))
     tree = formula(
         r"\Delta p = \int_{t_0}^{t_1} \mathbf{F}\cdot\vec v\,dt \approx \sqrt{2gh}, \sum_i \dot x_i \ge \hbar\ell"
     )
@@ -137,3 +137,25 @@ def test_the_font_has_the_letters_of_mechanics():
     assert {ord(letter) for letter in needed} <= face.getBestCmap().keys()
     assert "MATH" in face
     assert face["name"].getDebugName(1) == "Corollary Mathematics"
+
+
+def test_pages_of_usual_formulas_carry_the_half_of_the_font_that_has_their_letters():
+    pytest.importorskip("brotli", reason="woff2 is compressed with brotli")
+    from fontTools.ttLib import TTFont
+
+    usual = mathml(
+        r"\Delta p = \int_{t_0}^{t_1} F\,dt \approx \sqrt{2gh}\cos\alpha, \dot x_i \ge 3~\mathrm{kg\,m/s}"
+    )
+    assert font_file(usual, formulas=False) == "mathematics_usual.woff2"
+    for other in (r"\mathbf{F} = m", r"\hbar \ne \Omega", r"\ell \in \mathbb{R}"):
+        assert font_file(usual + mathml(other), formulas=False) == "mathematics.woff2"
+    face = TTFont(BytesIO(b64decode(font("mathematics_usual.woff2"))))
+    letters = face.getBestCmap().keys()
+    italic = {ord("𝑎") + place for place in range(26) if place != 7} | {
+        ord("𝛼") + place for place in range(25)
+    }
+    signs = {code for code in range(0x20, 0x2300) if USUAL.fullmatch(chr(code))}
+    assert len(signs) > 140
+    assert signs <= letters
+    assert italic <= letters
+    assert "MATH" in face

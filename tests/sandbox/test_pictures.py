@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import base64
+import io
+
+from PIL import Image
 
 HELD = "import matplotlib.pyplot as plt\nfig, ax = plt.subplots()\nax.plot([0, 1], [1, 2])\nplt.show()"
 ENDLESS = HELD + "\nfig.savefig = lambda *_, **__: [None for _ in iter(int, 1)]"
@@ -68,3 +71,17 @@ def test_only_so_many_figures_are_kept_to_be_drawn(run) -> None:
     taken = run(many, many, many, pictures=True)
     assert len(taken.figures) == 45
     assert [figure.png is None for figure in taken.figures] == [False] * 40 + [True] * 5
+
+
+def test_a_picture_has_few_colours_and_looks_as_drawn(run) -> None:
+    drawn = "import io\nsink = io.BytesIO()\nfig.savefig(sink, format='png', dpi=72)\nprint(len(sink.getvalue()))\nplt.show()"
+    many = "import matplotlib.pyplot as plt\nfig, ax = plt.subplots()\nfor n in range(1, 9):\n    ax.plot([0, n], [n, 1], linewidth=5)\n"
+    taken = run(many + drawn, pictures=True)
+    whole = int(taken.cells[0].outputs[0]["text"])
+    picture = taken.figures[0].png
+    assert len(picture) < whole / 2
+    with Image.open(io.BytesIO(picture)) as seen:
+        colours = {colour for _, colour in seen.convert("RGB").getcolors(1 << 20)}
+    assert len(colours) <= 256
+    blue = (31, 119, 180)  # matplotlib's first
+    assert min(max(abs(a - b) for a, b in zip(each, blue, strict=True)) for each in colours) < 12

@@ -6,6 +6,7 @@ import base64
 import hashlib
 import re
 from functools import lru_cache
+from html import unescape
 from importlib.resources import files
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
@@ -40,7 +41,7 @@ def page(
     Python in WebAssembly. `style` names a style sheet of its own; with `formulas` it brings the font for those that come later.
     """
     body = CONTROLS.sub("\ufffd", environment().get_template(template).render(**facts))
-    sheet = _style(formulas or "<math" in body) + (_text(style) if style else "")
+    sheet = _style(font_file(body, formulas)) + (_text(style) if style else "")
     program = "".join(map(_text, (script,) if isinstance(script, str) else script))
     whole = (
         environment()
@@ -58,11 +59,24 @@ def page(
     return whole.encode("utf-8", "replace").decode()
 
 
-@lru_cache(maxsize=2)
-def _style(formulas: bool) -> str:
+# The letters of `mathematics_usual.woff2`, which `docs/mathematics_font.py` makes: half of a page without its figures is its font.
+USUAL = re.compile("[\\n\\u00a0 -~α-ωΔ°·±×ℎ\u2061…′→∂∑−√∞∫˙⃗¨≈≠≤≥≪≫⋅]*")
+FORMULA, TAG = re.compile(r"<math\b.*?</math>", re.DOTALL), re.compile("<[^>]*>")
+
+
+def font_file(body: str, formulas: bool) -> str:
+    """The font that the formulas of a page need, or those that come later (`formulas`); none without any."""
+    if formulas or "<math" not in body:
+        return "mathematics.woff2" if formulas else ""
+    letters = unescape(TAG.sub("", "".join(FORMULA.findall(body))))
+    return "mathematics_usual.woff2" if USUAL.fullmatch(letters) else "mathematics.woff2"
+
+
+@lru_cache(maxsize=4)
+def _style(file: str) -> str:
     """The style sheet, with the font that formulas need."""
     face = '@font-face { font-family: "Corollary Mathematics"; src: url(data:font/woff2;base64,%s) format("woff2"); }\n'
-    return (face % font() if formulas else "") + _text("page.css")
+    return (face % font(file) if file else "") + _text("page.css")
 
 
 @lru_cache(maxsize=4)
@@ -128,12 +142,10 @@ def drawing_address(exercise: Exercise) -> str:
     return "data:image/svg+xml;base64," + base64.b64encode(drawing_file(exercise)).decode()
 
 
-@lru_cache(maxsize=1)
-def font() -> str:
-    """The mathematics font as base64: only a font made for formulas has roots and brackets that grow."""
-    return base64.b64encode(
-        files("corollary.render").joinpath("templates", "mathematics.woff2").read_bytes()
-    ).decode()
+@lru_cache(maxsize=2)
+def font(file: str) -> str:
+    """A mathematics font as base64: only a font made for formulas has roots and brackets that grow."""
+    return base64.b64encode(files("corollary.render").joinpath("templates", file).read_bytes()).decode()
 
 
 @lru_cache(maxsize=8)
