@@ -1,24 +1,36 @@
-"""Room and time of a class from `generate` to `grade`: kilobytes a student by folder, seconds by the clock and of the processor.
+"""Room and time of a class from `generate` to `feedback-zip`: kilobytes a student by folder, seconds, memory, and what the cells alone take.
 
 python benchmarks/course_room.py [--students 24] [--set momentum_1]    (writes benchmarks/results/course_room.md)
+
+*The cells alone*: the code that grading runs (students' cells, not the checks), cell by cell with `exec` in one process that has numpy,
+scipy and matplotlib loaded, each notebook in a namespace of its own, each figure drawn to PNG as Jupyter draws it; no isolation.
 """
 
 from __future__ import annotations
 
 import argparse
+import io
+import json
 import os
-import resource
 import subprocess
 import sys
 import tempfile
 import time
+import warnings
 import zipfile
+from contextlib import redirect_stdout
+from dataclasses import dataclass
 from pathlib import Path
+
+import matplotlib as mpl
+import nbformat
+from matplotlib import pyplot
 
 from corollary.course.demo.players import right_sources
 from corollary.grading.solutions import Solutions
-from corollary.notebook.notebook import filled_in
-from corollary.notebook.worksheet import worksheet
+from corollary.notebook.locate import code_to_run
+from corollary.notebook.notebook import filled_in, notebook
+from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
@@ -28,19 +40,58 @@ from corollary.records.files import open_course
 RESULT = Path(__file__).parent / "results" / "course_room.md"
 
 
-def run(base: Path, *words: str) -> tuple[float, float]:
-    """Seconds by the clock, and of the processor, of one command."""
-    before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+ALONE = 100  # notebooks by which the cells alone are measured
+
+
+@dataclass(frozen=True, slots=True)
+class Spent:
+    """What one command took: seconds by the clock, of the processor, and the MB of its largest process."""
+
+    clock: float
+    processor: float
+    largest: float
+
+
+def run(base: Path, *words: str) -> Spent:
+    """What one command takes, all its processes included."""
+    began = time.perf_counter()
     line = [sys.executable, "-m", "corollary", *words, "--course", "course"]
-    subprocess.run(line, cwd=base, check=True, capture_output=True)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    used = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    return time.perf_counter() - began, used
+    with (base / "out.txt").open("wb") as out:
+        process = subprocess.Popen(line, cwd=base, stdout=out, stderr=out)
+        _, status, used = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode:
+        raise SystemExit((base / "out.txt").read_text()[-2000:])
+    clock = time.perf_counter() - began
+    return Spent(clock, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024)
+
+
+def cells_alone(notebooks: list[tuple[Worksheet, str]]) -> float:
+    """Processor seconds of the cells of these notebooks, in this process."""
+    with warnings.catch_warnings(), redirect_stdout(io.StringIO()):
+        warnings.simplefilter("ignore")
+        _run_cells(*notebooks[0])  # what it loads is loaded then
+        began = time.process_time()
+        for sheet, text in notebooks:
+            _run_cells(sheet, text)
+        return time.process_time() - began
+
+
+def _run_cells(sheet: Worksheet, text: str) -> None:
+    handed_in, space = nbformat.from_dict(json.loads(text)), dict[str, object]()
+    for cell in handed_in.cells:
+        cell.source = "".join(cell.source)
+    for _, source in code_to_run(handed_in, notebook(sheet)):
+        exec(compile(source, "cell", "exec"), space)
+        for number in pyplot.get_fignums():
+            pyplot.figure(number).savefig(io.BytesIO(), format="png", dpi=72)
+        pyplot.close("all")
 
 
 def room(folder: Path) -> int:
     """Bytes on the disk, in whole blocks."""
-    return sum(each.lstat().st_blocks * 512 for each in folder.rglob("*") if each.is_file())
+    files = [folder] if folder.is_file() else folder.rglob("*")
+    return sum(each.lstat().st_blocks * 512 for each in files if each.is_file())
 
 
 def main() -> None:
@@ -52,37 +103,61 @@ def main() -> None:
     rows = [
         f"# Room and time of a class of {len(ids)}",
         "",
-        f"`python benchmarks/course_room.py --students {len(ids)} --set {name}`, everything right, at load {os.getloadavg()[0]:.0f} on "
+        f"`python benchmarks/course_room.py --students {len(ids)} --set {name}`, everything right, at load {os.getloadavg()[0]:.0f} (at the start) on "
         f"{os.cpu_count()} cores.",
         "",
-        "| command | s | processor, s |",
-        "|---|---|---|",
+        "| command | s | processor, s | largest process, MB |",
+        "|---|---|---|---|",
     ]
+    mpl.use("agg")
     with tempfile.TemporaryDirectory() as folder:
         base = Path(folder)
-        (base / "roster.csv").write_text("id\n" + "\n".join(ids) + "\n")
+        (base / "roster.csv").write_text(
+            "id,first_name,last_name\n" + "".join(f"{each},Ada,{each.upper()}\n" for each in ids)
+        )
         took = {"generate": run(base, "generate", name, "--roster", "roster.csv", "--yes")}
         bank, course = chapter_bank(), open_course(base / "course")
         problem_set, solutions = find_set(bank, name), Solutions(bank)
         sheets = read_assigned(course, problem_set)
+        sample: list[tuple[Worksheet, str]] = []
         with zipfile.ZipFile(base / "in.zip", "w", zipfile.ZIP_DEFLATED) as archive:
-            for student in ids:
-                sheet = worksheet(problem_set, Student(student), sheets[student].variants)
+            for number, student in enumerate(ids, 100):
+                sheet = worksheet(
+                    problem_set, Student(student, "Ada", student.upper()), sheets[student].variants
+                )
                 keys = {each.problem.code: solutions.key(each.variant) for each in sheet.exercises}
-                archive.writestr(f"{student}/{name}.ipynb", filled_in(sheet, right_sources(sheet, keys)))
+                text = filled_in(sheet, right_sources(sheet, keys))
+                archive.writestr(f"Ada {student.upper()}_{number}_assignsubmission_file_/{name}.ipynb", text)
+                if len(sample) < ALONE:
+                    sample.append((sheet, text))
         took["collect"] = run(base, "collect", name, "in.zip")
+        collected = room(course.folder)
         took["grade"] = run(base, "grade", name, "--yes")
-        folders = [
-            *("release", "submitted", "autograded", "feedback"),
-            *(f".corollary/{each}" for each in ("collected", "pages")),
-        ]
+        took["grade, nothing new"] = run(base, "grade", name, "--yes")
+        took["export --to feedback-zip"] = run(base, "export", name, "--to", "feedback-zip", "-o", "out.zip")
+        alone = cells_alone(sample) / len(sample) * len(ids)
+        folders = ("release", "submitted", "autograded", "feedback", "gradebook.db", ".corollary", "reports")
+        inside = ("collected", "released", "pages", "graded", "history")
         rooms = {each: room(course.folder / each) for each in folders}
-        rooms["all"] = room(course.folder)
-        took["collect --pack"] = run(base, "collect", name, "--pack")
-        rooms["all, packed"] = room(course.folder)
-    rows += [f"| `{command}` | {clock:.1f} | {used:.1f} |" for command, (clock, used) in took.items()]
-    rows += ["", "| folder | kB a student |", "|---|---|"]
+        rooms |= {f"of these .corollary/{each}": room(course.folder / ".corollary" / each) for each in inside}
+        rooms["all, after collect"] = collected
+        rooms["all, after grade"] = room(course.folder)
+        blocks = sum(each.lstat().st_blocks * 512 for each in course.folder.rglob("*") if each.is_dir())
+    rows += [
+        f"| `{command}` | {spent.clock:.1f} | {spent.processor:.1f} | {spent.largest:.0f} |"
+        for command, spent in took.items()
+    ]
+    ratio = took["grade"].processor / alone
+    rows += [
+        "",
+        f"The cells alone take {alone:.1f} s of the processor ({alone / len(ids) * 1000:.0f} ms a notebook; measured with {len(sample)}): "
+        f"`grade` takes {ratio:.1f} times as much.",
+        "",
+        "| folder | kB a student |",
+        "|---|---|",
+    ]
     rows += [f"| {each} | {size / 1024 / len(ids):.0f} |" for each, size in rooms.items()]
+    rows += ["", f"Folders themselves take another {blocks / 1024 / len(ids):.0f} kB a student."]
     RESULT.write_text("\n".join(rows) + "\n", encoding="utf-8")
     print("\n".join(rows))
 

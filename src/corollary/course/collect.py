@@ -25,7 +25,7 @@ from corollary.records.assignments import read_assigned
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.lms_names import Directory, lms_name
-from corollary.records.notebook_archive import keep, read_sheet
+from corollary.records.notebook_archive import LARGE, folded, keep, read_hand_in, read_sheet, set_aside
 from corollary.records.regrade_requests import (
     MOST_BYTES,
     add_requests,
@@ -56,7 +56,6 @@ from corollary.records.submissions import (
     writable,
 )
 from corollary.sandbox.archive import Member, members
-from corollary.sandbox.file import bytes_of
 
 COUNTED = (ACCEPTED, UNCHANGED)
 
@@ -107,9 +106,16 @@ def counting(
 
 
 def settled(
-    course: Course, name: str, latest: Found, there: Path | None, past: Past, moved: list[str], dry_run: bool
+    course: Course,
+    name: str,
+    latest: Found,
+    there: Path | None,
+    past: Past,
+    moved: list[str],
+    dry_run: bool,
+    large: bool,
 ) -> Arrival:
-    """What becomes of a student's latest notebook, against what lies in `submitted/` already."""
+    """What becomes of a student's latest notebook, against what lies in `submitted/` already; `large`: with its code folded."""
     place = course.place("submitted", latest.student, name)
     if own_folder(course, name, latest.student) is None:
         return latest.arrival(
@@ -117,7 +123,7 @@ def settled(
         )
     when, why = latest.when or datetime.now(UTC), latest.why
     if there is not None:
-        content = bytes_of(there, within=course.folder / "submitted")
+        content = read_hand_in(course, there)
         since = handed_in(course, name, latest.student)
         if content == latest.content:
             if latest.time == WORKSHEET and since != when and past.source(since):
@@ -133,8 +139,10 @@ def settled(
         if isinstance(content, bytes) and not dry_run:
             keep(course, name, latest.student, content)
     if not dry_run:
+        keep(course, name, latest.student, latest.content)
+        content = folded(course, name, latest.student, latest.content) if large else latest.content
         write_whole(place / STAMP, stamp(when))
-        write_whole(course.notebook("submitted", latest.student, name), latest.content)
+        write_whole(course.notebook("submitted", latest.student, name), content)
     return replace(latest, when=when).arrival(ACCEPTED, why.strip())
 
 
@@ -231,7 +239,10 @@ def collect(
         for student, theirs in by_student.items():
             earlier = [each for each in before if each.student == student]
             past = Past(earlier, deadlines.of(student), guessed_time(course, name, student) is not None)
-            files = _StudentFiles(course, problem_set, student, theirs, there.get(student), past, dry_run)
+            large = len(roster) >= LARGE
+            files = _StudentFiles(
+                course, problem_set, student, theirs, there.get(student), past, dry_run, large
+            )
             begun.append((files, pool.submit(guarded, files.arrivals)))
     for of_student, future in begun:
         student, theirs, became = of_student.student, of_student.theirs, future.result()
@@ -272,6 +283,7 @@ class _StudentFiles:
     there: Path | None
     past: Past
     dry_run: bool
+    large: bool
     conflicts: list[str] = field(default_factory=list[str])
     moved: list[str] = field(default_factory=list[str])
 
@@ -292,10 +304,14 @@ class _StudentFiles:
                     f"{self.student}: {writable(each.member.name)} {why}; that one is taken"
                 )
             found.append(each.arrival(OLDER, why))
-        found.append(settled(self.course, name, latest, self.there, self.past, self.moved, self.dry_run))
+        found.append(
+            settled(self.course, name, latest, self.there, self.past, self.moved, self.dry_run, self.large)
+        )
         if not self.dry_run:
             for each in self.theirs:
                 keep(self.course, name, self.student, each.content)
+            if self.large:
+                set_aside(self.course, name, self.student)
         return found
 
 

@@ -26,6 +26,7 @@ from corollary.records.forgotten import note_forgotten
 from corollary.records.gradebook_rows import is_database, remove_rows, rows_of
 from corollary.records.manual_marks import read_manual
 from corollary.records.marks import graded_sets, report_place
+from corollary.records.notebook_archive import unfolded
 from corollary.records.origin import set_of
 from corollary.records.person import Person
 from corollary.records.report_model import report_of
@@ -161,6 +162,7 @@ def _separated(
         return Separated(None, (), 1) if person.owns_path(below) else None
     try:
         content = path.read_bytes()
+        content = unfolded(course, content) if parts[0] == "submitted" else content
     except OSError as error:
         found.left["/".join(parts)] = (
             f"cannot be read ({error.strerror}); change its rights, then run this again"

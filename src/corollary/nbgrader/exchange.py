@@ -35,7 +35,7 @@ from corollary.nbgrader.gradebook import directory, need_nbgrader, programs_on_p
 from corollary.records.assignments import is_assigned
 from corollary.records.files import BESIDE, Course, open_course, students
 from corollary.records.marks import feedback_place
-from corollary.records.notebook_archive import restore_sheet
+from corollary.records.notebook_archive import restore_sheet, unfolded
 from corollary.records.regrade_requests import is_request
 from corollary.records.submissions import STAMP, beside, writable
 from corollary.sandbox.file import bytes_of
@@ -210,7 +210,12 @@ class CollectFromEach(ExchangeCollect):
         place = Path(coursedir.format_path(coursedir.submitted_directory, student, coursedir.assignment_id))
         contents = {each.name: bytes_of(each) for each in place.glob("*.ipynb")}
         stamped = bytes_of(place / STAMP, 1 << 10)
-        whole = {name: content for name, content in contents.items() if isinstance(content, bytes)}
+        course = _ours(Path(str(coursedir.root)))
+        whole = {
+            name: content if course is None else unfolded(course, content)
+            for name, content in contents.items()
+            if isinstance(content, bytes)
+        }
         return whole, stamped if isinstance(stamped, bytes) else b""
 
     def _same_time(self, student: str, before: tuple[dict[str, bytes], bytes]) -> None:

@@ -1,20 +1,26 @@
-"""Archive of notebooks in a course: what was handed in, by digest, and sheets that were answered, packed to a tenth of their size."""
+"""Archive of notebooks in a course: hand-ins by digest, and answered sheets, packed; in large courses hand-ins without the code of the checks."""
 
 from __future__ import annotations
 
 import hashlib
 import re
 import zlib
+from contextlib import suppress
+from functools import lru_cache
 from pathlib import Path
 
 from corollary.atomic import write_whole
 from corollary.records.files import Course
+from corollary.sandbox.file import Unreadable, bytes_of
 
 WORD = re.compile(rb"""[^\s"'\\]+""")
 LONG, MOST = 5_000, 32
 """Bytes of a word that is stored once in the course, and how many of a notebook are: the packed code of a sheet's checks, which all
 sheets of a set carry."""
 SHARED, TEXT = b"S", b"T"
+LARGE = 200
+"""Students of a course in which one copy of a sheet is enough: `collect` packs the sheet, and folds the code of the hand-in."""
+REFERENCE = re.compile(rb"stored-in-corollary-shared-([0-9a-f]{32})")
 
 
 class DamagedArchive(ValueError):
@@ -87,7 +93,47 @@ def set_aside(course: Course, set_name: str, student: str) -> bool:
     if unarchive(course, place) != content:
         return False
     path.unlink()
+    with suppress(OSError):  # something else lies there
+        path.parent.rmdir()
+        path.parent.parent.rmdir()
     return True
+
+
+def folded(course: Course, set_name: str, student: str, content: bytes) -> bytes:
+    """A hand-in in which the code of the checks, as the sheet has it, is a reference to `shared/`; `read_hand_in` has it whole."""
+    short = content
+    for found in WORD.finditer(read_sheet(course, set_name, student) or b""):
+        place = _shared(course, hashlib.sha256(found[0]).digest()) if len(found[0]) >= LONG else None
+        if place is not None and place.exists():
+            short = short.replace(found[0], b"stored-in-corollary-shared-" + place.stem.encode(), 1)
+    return short if unfolded(course, short) == content else content
+
+
+def read_hand_in(course: Course, path: Path) -> bytes | Unreadable:
+    """What was handed in, to the byte, from its file in `submitted/`, which is a stranger's; never raises for what is in it."""
+    content = bytes_of(path, within=course.folder / "submitted")
+    return unfolded(course, content) if isinstance(content, bytes) else content
+
+
+def unfolded(course: Course, content: bytes) -> bytes:
+    """Each reference counts once, as `folded` writes it: a hundred thousand, which a student may write, make no file of a gigabyte."""
+    seen = set[bytes]()
+
+    def word(found: re.Match[bytes]) -> bytes:
+        whole = b"" if found[1] in seen else _word(course.record("shared", f"{found[1].decode()}.z"))
+        seen.add(found[1])
+        return whole or found[0]
+
+    return REFERENCE.sub(word, content)
+
+
+@lru_cache(maxsize=64)
+def _word(place: Path) -> bytes:
+    """A word of `shared/`; empty where there is none, or it is damaged."""
+    try:
+        return zlib.decompress(place.read_bytes())
+    except (OSError, zlib.error):
+        return b""
 
 
 def has_sheet(course: Course, set_name: str, student: str) -> bool:

@@ -14,8 +14,8 @@ from corollary.records.assignments import AssignedSheet
 from corollary.records.deadlines import Deadlines, Terms
 from corollary.records.files import Course
 from corollary.records.marks import THE_PACKAGE, UNMARKED, PartRecord, Record
+from corollary.records.notebook_archive import read_hand_in
 from corollary.records.submissions import handed_in
-from corollary.sandbox.file import bytes_of
 
 CENT = 0.005  # half of the last decimal that anybody sees
 NOTHING = PartRecord("", 0.0, 0.0)  # a part that was not there before, or is no longer
@@ -117,7 +117,7 @@ def dependencies(
 ) -> dict[str, str]:
     """What one student's marks depend on, under the names that people read: a short digest of each, and the time of handing in as
     it is. `state` is what they share with everybody's."""
-    content = bytes_of(path, within=course.folder / "submitted")
+    content = read_hand_in(course, path)
     found = {
         NOTEBOOK: content if isinstance(content, bytes) else content.in_english.encode(),
         DEADLINE: repr((terms.due and terms.due.isoformat(), terms.excused)).encode(),

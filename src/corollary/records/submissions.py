@@ -25,6 +25,7 @@ from corollary.records.assignments import AssignedSheet
 from corollary.records.deadlines import Terms
 from corollary.records.files import BESIDE, Course
 from corollary.records.marks import PartRecord, read_record
+from corollary.records.notebook_archive import read_hand_in
 from corollary.sandbox.file import Unreadable, bytes_of
 
 if TYPE_CHECKING:
@@ -344,7 +345,7 @@ def read_submission(
     )
 
     late = lateness(course, problem_set, student.id, terms)
-    content = bytes_of(path, within=course.folder / "submitted")
+    content = read_hand_in(course, path)
     return Submission(
         student,
         content,
@@ -369,7 +370,7 @@ def fingerprint(
 ) -> str:
     """What the marks and the page depend on: the file, its moment, the numbers, the terms, and the `state` of everything else."""
     digest = hashlib.sha256()
-    content = bytes_of(path, within=course.folder / "submitted")
+    content = read_hand_in(course, path)
     for each in (
         content if isinstance(content, bytes) else content.in_english.encode(),
         str(handed_in(course, set_name, student)).encode(),
