@@ -5,15 +5,17 @@ from __future__ import annotations
 import hashlib
 import re
 import zlib
+from collections.abc import Iterator
 from contextlib import suppress
 from functools import lru_cache
+from itertools import islice
 from pathlib import Path
 
 from corollary.atomic import write_whole
 from corollary.records.files import Course
 from corollary.sandbox.file import Unreadable, bytes_of
 
-WORD = re.compile(rb"""[^\s"'\\]+""")
+SEPARATED = bytes.maketrans(b"\t\r\f\v\"'\\", b"       ")
 LONG, MOST = 5_000, 32
 """Bytes of a word that is stored once in the course, and how many of a notebook are: the packed code of a sheet's checks, which all
 sheets of a set carry."""
@@ -30,17 +32,28 @@ class DamagedArchive(ValueError):
 def archive(course: Course, place: Path, content: bytes) -> None:
     """Packs a notebook into a file of the archive. Raises OSError, and leaves nothing by this name then."""
     pieces, end = list[bytes](), 0
-    for found in WORD.finditer(content):
-        if found.end() - found.start() < LONG or len(pieces) >= 2 * MOST:
-            continue
-        digest = hashlib.sha256(found[0]).digest()
+    for start, after in islice(_long_words(content), MOST):
+        word = content[start:after]
+        digest = hashlib.sha256(word).digest()
         shared = _shared(course, digest)
         if not shared.exists():
-            write_whole(shared, zlib.compress(found[0]), mode=0o600)
-        pieces += [_text(content[end : found.start()]), SHARED + digest]
-        end = found.end()
+            write_whole(shared, zlib.compress(word), mode=0o600)
+        pieces += [_text(content[end:start]), SHARED + digest]
+        end = after
     pieces.append(_text(content[end:]))
     write_whole(place, hashlib.sha256(content).digest() + zlib.compress(b"".join(pieces)), mode=0o600)
+
+
+def _long_words(content: bytes) -> Iterator[tuple[int, int]]:
+    """Where the words to store once begin and end. Short lines, as notebooks have them, hold none and are passed over."""
+    start = 0
+    for line in content.split(b"\n"):
+        at = start
+        for word in line.translate(SEPARATED).split(b" ") if len(line) >= LONG else ():
+            if len(word) >= LONG:
+                yield at, at + len(word)
+            at += len(word) + 1
+        start += len(line) + 1
 
 
 def unarchive(course: Course, place: Path) -> bytes:
@@ -51,7 +64,10 @@ def unarchive(course: Course, place: Path) -> bytes:
         while at < len(pieces):
             kind, start = pieces[at : at + 1], at + 1
             if kind == SHARED:
-                found += zlib.decompress(_shared(course, pieces[start : start + 32]).read_bytes())
+                word = _word(_shared(course, pieces[start : start + 32]))
+                if not word:
+                    raise OSError("a part of it in .corollary/shared is missing or damaged")
+                found += word
                 at = start + 32
             else:
                 size = int.from_bytes(pieces[start : start + 8], "big")
@@ -101,11 +117,16 @@ def set_aside(course: Course, set_name: str, student: str) -> bool:
 
 def folded(course: Course, set_name: str, student: str, content: bytes) -> bytes:
     """A hand-in in which the code of the checks, as the sheet has it, is a reference to `shared/`; `read_hand_in` has it whole."""
-    short = content
-    for found in WORD.finditer(read_sheet(course, set_name, student) or b""):
-        place = _shared(course, hashlib.sha256(found[0]).digest()) if len(found[0]) >= LONG else None
-        if place is not None and place.exists():
-            short = short.replace(found[0], b"stored-in-corollary-shared-" + place.stem.encode(), 1)
+    sheet = read_sheet(course, set_name, student) or b""
+    of_sheet = {sheet[start:end] for start, end in _long_words(sheet)}
+    pieces, before = list[bytes](), 0
+    for start, end in _long_words(content):
+        word = content[start:end]
+        if word in of_sheet and (place := _shared(course, hashlib.sha256(word).digest())).exists():
+            of_sheet.remove(word)
+            pieces += [content[before:start], b"stored-in-corollary-shared-" + place.stem.encode()]
+            before = end
+    short = b"".join([*pieces, content[before:]])
     return short if unfolded(course, short) == content else content
 
 

@@ -154,8 +154,7 @@ def _sound_cells(cells: list, notes: list[str]) -> list[Any]:
         if not isinstance(raw, dict) or raw.get("cell_type") not in ("code", "markdown", "raw"):
             notes.append(f"cell {number} is left out: it is neither code nor text")
             continue
-        cell: Any = nbformat.from_dict(raw)
-        cell.source = _joined(cell.get("source"))
+        cell: Any = nbformat.from_dict({**raw, "source": _joined(raw.get("source"))})
         if not isinstance(cell.get("metadata"), dict):
             cell.metadata = nbformat.NotebookNode()
         name = cell.get("id")
@@ -200,14 +199,13 @@ def _drop_outputs(raw: dict) -> None:
 
 def _measure(raw: object) -> tuple[int, int]:
     """How deeply lists and dictionaries lie in one another, and how many values there are; counted without recursion."""
-    deepest, count, waiting = 0, 0, [(raw, 1)]
+    deepest, count, waiting = 1, 1, [(raw, 1)]
     while waiting and deepest <= DEEPEST and count <= MOST_INPUT_VALUES:
         value, depth = waiting.pop()
-        deepest, count = max(deepest, depth), count + 1
-        if isinstance(value, dict):
-            waiting.extend((each, depth + 1) for each in value.values())
-        elif isinstance(value, list):
-            waiting.extend((each, depth + 1) for each in value)
+        inside = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+        if inside:
+            deepest, count = max(deepest, depth + 1), count + len(inside)
+            waiting += [(each, depth + 1) for each in inside if isinstance(each, dict | list)]
     return deepest, count
 
 
