@@ -40,7 +40,7 @@ from corollary.records.files import open_course
 RESULT = Path(__file__).parent / "results" / "course_room.md"
 
 
-ALONE = 100  # notebooks by which the cells alone are measured
+ALONE = 40  # notebooks by which the cells alone are measured
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +63,9 @@ def run(base: Path, *words: str) -> Spent:
     if process.returncode:
         raise SystemExit((base / "out.txt").read_text()[-2000:])
     clock = time.perf_counter() - began
-    return Spent(clock, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024)
+    spent = Spent(clock, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024)
+    print(*words[:1], spent, f"{room(base / 'course') / 1e6:.0f} MB", file=sys.stderr, flush=True)
+    return spent
 
 
 def cells_alone(notebooks: list[tuple[Worksheet, str]]) -> float:
