@@ -45,7 +45,7 @@ def archive(course: Course, place: Path, content: bytes) -> None:
 
 
 def _long_words(content: bytes) -> Iterator[tuple[int, int]]:
-    """Where the words to store once begin and end. Short lines, as notebooks have them, hold none and are passed over."""
+    """Where the words to store once begin and end. Short lines, as notebooks have them, hold none."""
     start = 0
     for line in content.split(b"\n"):
         at = start
