@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Hashable, Mapping
 from copy import copy
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -163,7 +163,7 @@ class FoundFunction:
             return expression
         return expression.replace(
             lambda each: isinstance(each, AppliedUndef) and each.func == self.applied.func,
-            lambda each: self.formula.subs(self.letter, each.args[0]),
+            lambda each: substitute(self.formula, {self.letter: each.args[0]}),
         )
 
 
@@ -178,6 +178,7 @@ class Known:
         self.aside: dict[sympy.Symbol, sympy.Expr] = {}  # unknowns that laws needed and nobody asks for
         self.measured: set[sympy.Symbol] = set()
         self.functions: list[FoundFunction] = []
+        self.solved: dict[Hashable, Any] = {}  # differential equations, by all that decides their solution
         self.dimensions: dict[str, Dimension] = {each.symbol: each.unit.dimension for each in problem.letters}
         drawn = MANY if ways else POINTS - 1
         variants = [chapter(problem), *sample(problem, drawn, salt="roots")]
@@ -235,7 +236,7 @@ class Known:
             raise ValueError(
                 f"there is no {each.letter} from {each.low} to {each.high} for any of the numbers tried"
             )
-        found._points = points
+        found._points, found.solved = points, {}
         return found
 
     @property
@@ -295,7 +296,7 @@ class Known:
     def suppose(self, value: SupposedValue) -> None:
         """Adds a value that no given has."""
         symbol = sympy.Symbol(value.stated.name, positive=True)
-        self.formulas[symbol] = symbol
+        self.formulas[symbol], self.solved = symbol, {}
         self.dimensions[symbol.name] = value.dimension
         for each in self._points:
             each.values[symbol] = sympy.Rational(value.ratio.numerator, value.ratio.denominator)

@@ -8,6 +8,7 @@ import re
 import sys
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
+from functools import lru_cache
 from importlib.machinery import FileFinder, SourceFileLoader
 from importlib.util import module_from_spec, spec_from_loader
 from itertools import dropwhile
@@ -37,6 +38,7 @@ NAMES = {EQUAL: equal, UNEQUAL: unequal}
 """What the compiled code calls, to be put into its module."""
 
 
+@lru_cache(maxsize=256)  # a scene function is loaded for each key that it is held against
 def compiled(source: bytes | str, path: str) -> Any:
     """The code of a solution, each == and != in it as a call. Raises SyntaxError, which names the file, or ValueError for what is
     no Python."""
@@ -146,6 +148,12 @@ def _lies_in(folder: Path, module: ModuleType) -> bool:
     return file.startswith(str(folder)) and Path(file).parent == folder  # a Path of each takes long
 
 
+@lru_cache(maxsize=256)
+def _functions_in(source: bytes, path: str) -> frozenset[str]:
+    """The names of functions that a program defines. Raises SyntaxError."""
+    return frozenset(node.name for node in ast.parse(source, path).body if isinstance(node, ast.FunctionDef))
+
+
 class LazyModule:
     """A Python file whose functions load it when one of them is first called; anything else in it is loaded when asked for.
 
@@ -157,11 +165,7 @@ class LazyModule:
         if not path.is_file():
             raise FileNotFoundError(f"there is no file {path.name} in {path.parent}")
         self._path, self._folders = path, tuple(dict.fromkeys((path.parent, beside)))
-        self._functions = {
-            node.name
-            for node in ast.parse(path.read_bytes(), str(path)).body
-            if isinstance(node, ast.FunctionDef)
-        }
+        self._functions = _functions_in(path.read_bytes(), str(path))
         self._module: ModuleType | None = None
 
     def __getattr__(self, name: str) -> Any:

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
 from typing import Any
@@ -13,7 +13,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from corollary.derive.assumptions import FoundFunction, Known, at
-from corollary.derive.differential import NotSolved, generally, generic
+from corollary.derive.differential import Generally, NotSolved, generally, generic
 from corollary.derive.improper import by_quadrature, improper, refuse_divergent
 from corollary.derive.sampled import holds, numbered
 from corollary.laws.law import Law, sides, substitute
@@ -153,17 +153,22 @@ class _Elimination:
     def _with_conditions(
         self, residuals: Sequence[sympy.Expr], functions: Sequence[sympy.Expr]
     ) -> list[FoundFunction]:
-        """One function or two, with what its differential equation and its initial values make of it."""
+        """One function or two, with what its differential equation and its initial values make of it. Raises ValueError."""
         x, names = functions[0].args[0], " and ".join(str(y.func) for y in functions)
         conditions = [pair for pair in self.pairs if self._is_condition(pair, functions)]
         conditions.sort(key=lambda pair: bool((pair[0] - pair[1]).free_symbols & self.unknowns))
         start = next(
             (place for pair in conditions for side in pair for place in self._places(side)), sympy.S.Zero
         )
-        try:
-            solution = generally(residuals, functions, x, start, self._sign)
-        except NotSolved as error:
-            raise ValueError(f"the differential equation for {names} cannot be solved: {error}") from None
+        about = (
+            tuple(residuals),
+            tuple(functions),
+            tuple(self.known.formulas.items()),
+            tuple(self.known.functions),
+        )
+        solution: Generally = self._once(
+            ("general", start, *about), lambda: self._general(residuals, functions, x, start)
+        )
         order = len(solution.values)
         if len(conditions) < order:
             raise ValueError(
@@ -171,20 +176,58 @@ class _Elimination:
                 f"initial value{'s' * (order > 1)}, such as {functions[0].func}(0) = …; stated {'is' if len(conditions) == 1 else 'are'} {len(conditions)}"
             )
         used = conditions[:order]
+        letters = frozenset(letters_in(self.laws, self.known))
+        self.pairs = [pair for pair in self.pairs if not any(pair is each for each in used)]
+        decides = "found", *about, start, tuple(used), tuple(self.places), letters
+        return self._once(decides, lambda: self._with_values(residuals, functions, solution, used, start))
+
+    def _once(self, decided_by: Hashable, make: Callable[..., Any], *of: Any) -> Any:
+        """What is made of a differential equation, made before where all that decides it is the same: of the bends of a law `verify`
+        tries, few change the equations that take long."""
+        solved = self.known.solved
+        if decided_by not in solved:
+            solved[decided_by] = make(*of)
+        return solved[decided_by]
+
+    def _general(
+        self,
+        residuals: Sequence[sympy.Expr],
+        functions: Sequence[sympy.Expr],
+        x: sympy.Symbol,
+        start: sympy.Expr,
+    ) -> Generally:
+        try:
+            return generally(residuals, functions, x, start, self._sign)
+        except NotSolved as error:
+            names = " and ".join(str(y.func) for y in functions)
+            raise ValueError(f"the differential equation for {names} cannot be solved: {error}") from None
+
+    def _with_values(
+        self,
+        residuals: Sequence[sympy.Expr],
+        functions: Sequence[sympy.Expr],
+        solution: Generally,
+        used: Sequence[Pair],
+        start: sympy.Expr,
+    ) -> list[FoundFunction]:
+        """The functions of a general solution that begin as the conditions say."""
+        x, names = functions[0].args[0], " and ".join(str(y.func) for y in functions)
         by_values = [
             FoundFunction(y, formula, solution.form, start)
             for y, formula in zip(functions, solution.formulas, strict=True)
         ]
-        equations = [put_back(left - right, by_values) for left, right in used]
+        conditions = [left - right for left, right in used]
+        equations = [
+            self._once(("put back", each, tuple(by_values)), put_back, each, by_values) for each in conditions
+        ]
         roots = sympy.solve(equations, list(solution.values), dict=True)
-        if len(roots) != 1 or len(roots[0]) != order:
+        if len(roots) != 1 or len(roots[0]) != len(solution.values):
             raise ValueError(f"the initial values of {names} do not fix all of the motion")
-        self.pairs = [pair for pair in self.pairs if not any(pair is each for each in used)]
         found = [
-            FoundFunction(y, solution.shortest(each.subs(roots[0]), x), solution.form, self._place(y))
+            FoundFunction(y, solution.shortest(substitute(each, roots[0]), x), solution.form, self._place(y))
             for y, each in zip(functions, solution.formulas, strict=True)
         ]
-        for equation in (*residuals, *(left - right for left, right in used)):
+        for equation in (*residuals, *conditions):
             if not self._holds(put_back(equation, found)):
                 raise ValueError(
                     f"the solution found for {names} does not satisfy {equation} = 0; state the law in another form"
@@ -227,12 +270,13 @@ class _Elimination:
         for pair in self.pairs:
             for side in pair:
                 refuse_divergent(self.known.with_functions(side))
-            sides = tuple(generic(side.doit()) for side in pair)
+            sides = tuple(map(self._worked_out, pair))
             for before, after in zip(pair, sides, strict=True):
                 if after.has(sympy.Integral, sympy.Derivative):
                     raise ValueError(f"{before} has no closed form")
                 if before.has(sympy.Integral):
-                    self._check_quadrature(before, after)
+                    decides = before, after, tuple(self.known.formulas.items()), tuple(self.known.functions)
+                    self._once(("quadrature", *decides), self._check_quadrature, before, after)
             if strange := (sides[0] - sides[1]).free_symbols & letters:
                 if self._holds(sides[0] - sides[1]):
                     continue  # it only repeats what has been found
@@ -244,6 +288,16 @@ class _Elimination:
                 f"too few laws; add the initial value of {solved[0].name}, such as {solved[0].name}(0) = …"
             )
         return left
+
+    def _worked_out(self, side: sympy.Expr) -> sympy.Expr:
+        """A side with its derivatives and integrals in formulas, where these have any."""
+        integrals = side.atoms(sympy.Integral)
+        outer = [
+            each for each in integrals if not any(other != each and other.has(each) for other in integrals)
+        ]
+        done = {each: self._once(("integral", each), each.doit) for each in outer}
+        formula = side.xreplace(done)
+        return generic(formula if formula.has(sympy.Integral) else formula.doit())
 
     def _free(self, side: sympy.Expr) -> set[sympy.Expr]:
         """Functions at any time: not at a place, nor under an integral from one to another."""
