@@ -45,6 +45,7 @@ def installed(folder: Path) -> dict[str, str]:
     return {"PYTHONPATH": str(package.parent)}
 
 
+@pytest.mark.whole
 def test_a_missing_package_leaves_its_part_to_a_person_until_it_is_installed(
     handed_in: Path, tmp_path: Path
 ) -> None:

@@ -37,7 +37,9 @@ CHAPTER = chapter_bank()
             r"= -\frac{m_{A}\, m_{B}\, \left(v_{A} - v_{B}\right)^{2}}{2\, \left(m_{A} + m_{B}\right)}",
         ),
         (MECHANICS, "NEW.3", r"f = \mu\, N = \mu\, M\, g = 0.20\, (24.50\,\mathrm{N}) = 4.900\,\mathrm{N}"),
-        (MECHANICS, "NEW.6", r"\beta = \arctan\left(\frac{v^{2}}{g\, r}\right) = "),
+        pytest.param(
+            MECHANICS, "NEW.6", r"\beta = \arctan\left(\frac{v^{2}}{g\, r}\right) = ", marks=pytest.mark.whole
+        ),
         (MECHANICS, "NEW.8", r"T = \frac{2\, \pi\, r}{v} = 2\, \pi\, \sqrt{\frac{L\, \cos \theta}{g}} = "),
         (MECHANICS, "GRA.4", r"r = \sqrt[3]{\frac{G\, M\, T^{2}}{4\, \pi^{2}}} = "),
         (MECHANICS, "KIN.7", r"T = t + w + u = "),

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import pytest
 from tests.chapter_problems import PROBLEMS
+from tests.shares import share
 
 from corollary.derive.solve import solve
 from corollary.derive.worked_solution import asked_steps, worked_solution
@@ -82,11 +83,7 @@ def test_what_is_left_out_and_needed_is_a_step_and_no_answer():
 
 @pytest.mark.parametrize(
     "code",
-    [
-        pytest.param(problem.code, marks=pytest.mark.whole) if problem.code == "P12.15" else problem.code
-        for problem in PROBLEMS
-        if len(problem.parts) > 1
-    ],
+    share((problem.code for problem in PROBLEMS if len(problem.parts) > 1), first=12),
 )
 def test_each_part_alone_is_told_from_what_is_given(code):
     """No equation has a letter of something that is left out and not found first."""

@@ -190,7 +190,12 @@ def test_on_the_texts_of_the_corpora(sheet: Worksheet, prompts: dict[str, Prompt
     assert {prompts[name].part.answer_type for name in names} == {
         "value", "vector", "expression", "choice", "example", "proof"
     }  # fmt: skip
-    tries: list[Try] = [(name, text) for text in typed()[::every] for name in names]
+    tries: list[Try] = [
+        (name, text)
+        for place, text in enumerate(typed()[::every])
+        for at, name in enumerate(names)
+        if (place + at) % 3 == 0  # each text on two types, those beside it on the others
+    ]
     assert len(typed()) > 1500
     assert not disagreements(sheet, prompts, tries)
 
