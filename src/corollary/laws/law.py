@@ -231,7 +231,7 @@ def substitute(expression: Any, values: Mapping[Any, sympy.Expr]) -> Any:
     return expression.subs(dict(values)) if found is None else found
 
 
-PLAIN = (
+KNOWN_NODES = (
     sympy.Add, sympy.Mul, sympy.Pow, sympy.exp, sympy.log, sympy.sin, sympy.cos, sympy.tan, sympy.asin, sympy.acos, sympy.atan,
     sympy.sinh, sympy.cosh, sympy.tanh, sympy.Abs, sympy.Symbol, sympy.Number, sympy.NumberSymbol,
 )  # fmt: skip
@@ -239,8 +239,8 @@ PLAIN = (
 
 
 def _with_values(expression: Any, values: Mapping[Any, Any]) -> Any | None:
-    """What `subs` gives for letters in a plain formula, in its order, without comparing whole trees at each node; None elsewhere."""
-    if not all(isinstance(letter, sympy.Symbol) for letter in values) or not _is_plain(expression):
+    """What `subs` gives for letters in a formula of known nodes, in its order, without comparing whole trees at each node; None elsewhere."""
+    if not all(isinstance(letter, sympy.Symbol) for letter in values) or not _of_known_nodes(expression):
         return None
     there = set(expression.free_symbols)
     for letter in sorted(values, key=default_sort_key):
@@ -250,7 +250,7 @@ def _with_values(expression: Any, values: Mapping[Any, Any]) -> Any | None:
         if not isinstance(value, sympy.Expr) or value.has(*INFINITE):  # pyright: ignore[reportUnknownMemberType]
             return None
         expression = _exchanged(expression, letter, value, {})
-        if not _is_plain(expression):
+        if not _of_known_nodes(expression):
             return None
         there |= value.free_symbols
     return expression
@@ -259,13 +259,13 @@ def _with_values(expression: Any, values: Mapping[Any, Any]) -> Any | None:
 INFINITE = sympy.oo, -sympy.oo, sympy.zoo, sympy.nan  # which `subs` puts in first
 
 
-def _is_plain(expression: Any) -> bool:
+def _of_known_nodes(expression: Any) -> bool:
     todo, seen = [expression], set[Any]()
     while todo:
         node = todo.pop()
         if node in seen:
             continue
-        if not isinstance(node, PLAIN):
+        if not isinstance(node, KNOWN_NODES):
             return False
         seen.add(node)
         todo += node.args
