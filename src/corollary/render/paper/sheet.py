@@ -20,12 +20,12 @@ from corollary.problem.dates import in_words
 from corollary.problem.roster import Student
 from corollary.render.page import drawing
 from corollary.render.paper.typst import (
-    has_letters,
     literal,
     typesetter,
     typst_formula,
     typst_line,
     typst_text,
+    without_font,
     words_of,
 )
 from corollary.render.wording import points_earned
@@ -157,11 +157,12 @@ def with_printable_names(sheets: Sequence[PaperSheet]) -> tuple[list[PaperSheet]
 
     Raises CannotTypeset without the extra `pdf`."""
     printable, students = list[PaperSheet](), list[Student]()
+    missing = without_font(text for each in sheets for text in (each.owner, each.plan.student.id))
     for sheet in sheets:
-        if not has_letters(sheet.owner):
+        if sheet.owner in missing:
             student = sheet.plan.student
             students.append(student)
-            sheet = replace(sheet, label=student.id if has_letters(student.id) else quote(student.id))
+            sheet = replace(sheet, label=quote(student.id) if student.id in missing else student.id)
         printable.append(sheet)
     return printable, students
 

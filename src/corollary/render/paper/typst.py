@@ -13,7 +13,8 @@ from xml.etree.ElementTree import Element
 from markdown_it.tree import SyntaxTreeNode
 
 from corollary.extras import installing
-from corollary.messages import spoken
+from corollary.messages import speak, spoken
+from corollary.parallel import Workers
 from corollary.render.markdown import parser
 from corollary.render.mathml import APPLY, CLOSING, formula
 from corollary.render.pictures import as_svg, lifted
@@ -314,11 +315,23 @@ def pdf(sheets: Sequence[str], title: str, *, large: bool = False) -> bytes:
     raise CannotTypeset(f"{title} cannot be set on paper: {why}") from refused
 
 
-@lru_cache(maxsize=4096)
-def has_letters(text: str) -> bool:
-    """True if the fonts of Typst or of this machine have every character. Raises CannotTypeset without the extra `pdf`."""
-    if all(ord(letter) < ALL_FONTS for letter in text):
-        return True
+def without_font(texts: Iterable[str]) -> frozenset[str]:
+    """The texts with a character that neither Typst's fonts nor this machine's have. Raises CannotTypeset without the extra `pdf`.
+
+    They are tried in a process of their own: Typst starts threads, and a process forked after that waits for them for ever."""
+    odd = [text for text in texts if any(ord(letter) >= ALL_FONTS for letter in text)]
+    if not odd:
+        return frozenset()
+    typesetter("typst")
+    with Workers(1, speak, spoken()) as pool:
+        return pool.submit(_without_font, odd).result()
+
+
+def _without_font(texts: Iterable[str]) -> frozenset[str]:
+    return frozenset(text for text in texts if not _has_font(text))
+
+
+def _has_font(text: str) -> bool:
     typst = typesetter("typst")
     source = f"#set document(title: {literal(spoken())})\n{words_of(text)}".encode("utf-8", "replace")
     for others in (False, True):
@@ -327,7 +340,7 @@ def has_letters(text: str) -> bool:
             return True
         except typst.TypstError as error:
             if NO_LETTER not in error.message:
-                raise CannotTypeset(f"{text} cannot be set on paper: {error.message}") from error
+                raise CannotTypeset(f"{text} cannot be set on paper: {error.message}") from None
     return False
 
 
