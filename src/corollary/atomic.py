@@ -77,17 +77,17 @@ def write_whole(path: Path, content: str | bytes, *, mode: int = 0o644) -> None:
         raise
 
 
-def write_each_whole(files: Mapping[Path, str | bytes]) -> None:
+def write_each_whole(files: Mapping[Path, str | bytes], *, mode: int = 0o644) -> None:
     """Many files, each whole or not at all, in no order and side by side: what takes the time is waiting for the disk."""
     from concurrent.futures import ThreadPoolExecutor  # most commands write no files, or one
 
     with ThreadPoolExecutor(min(SIDE_BY_SIDE, len(files) or 1)) as pool:
-        for written in [pool.submit(write_whole, path, content) for path, content in files.items()]:
+        for written in [pool.submit(write_whole, path, each, mode=mode) for path, each in files.items()]:
             written.result()
 
 
-def write_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
+def write_files(folder: Path, files: Mapping[str, bytes], *, mode: int = 0o644) -> list[Path]:
     """Writes them below the folder, and says where they are."""
     placed = {folder / name: content for name, content in files.items()}
-    write_each_whole(placed)
+    write_each_whole(placed, mode=mode)
     return list(placed)

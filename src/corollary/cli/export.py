@@ -84,7 +84,8 @@ def run(**given: Unpack[ExportOptions]) -> int:
             refuse(f"{given['to']} is of one set; export each by itself")
         made = _of_one_set(chosen, course, *found[0], given)
     folder = given["output"] or USUAL_FOLDER
-    written = write_files(folder, made.files)
+    personal = course is not None  # names, addresses and marks are for whoever exports them
+    written = write_files(folder, made.files, mode=0o600 if personal else 0o644)
     if given["as_json"]:
         codes = [each.name for each in problem_sets]
         about: dict[str, object] = {"set": codes[0]} if len(codes) == 1 else {"sets": codes}

@@ -76,9 +76,10 @@ def warn_of_dates(problem_set: ProblemSet, at: datetime | None = None, course: C
     date is no mistake."""
     at = at or now()
     handed_in = course is not None and bool(submissions(course, problem_set.name))
-    if problem_set.due is not None and problem_set.due < at and not handed_in:
+    due = problem_set.due
+    if due is not None and problem_set.delay(due, at).seconds > 0 and not handed_in:
         say(
-            f"warning: {problem_set.name} was due {written(problem_set.due)}, so every hand-in counts as late; "
+            f"warning: {problem_set.name} was due {written(due)}, so every hand-in counts as late; "
             "correct due: in the set's file if that is not meant"
         )
     if problem_set.opens is not None and at < problem_set.opens:

@@ -270,7 +270,9 @@ def _student_term(
     rules: TermRules,
 ) -> StudentTerm:
     total = term_total(results, weights, rules)
-    missing = tuple(one.name for one, each in zip(sets, results, strict=True) if each.state == MISSING)
+    missing = tuple(
+        one.name for one, each in zip(sets, results, strict=True) if each.state == MISSING and one.weight > 0
+    )
     return StudentTerm(student, tuple(results), total, missing, tuple(_behind(total, missing, rules)))
 
 
