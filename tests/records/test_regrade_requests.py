@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.records.regrade_requests import file_name, is_request
+from corollary.records.regrade_requests import file_name, is_request, set_asked_about
 
 SETS = ("week", "week1", "momentum_1", "Week-2", "set.3")
 
@@ -26,3 +26,10 @@ def test_the_form_of_a_set_is_known_whatever_was_appended_to_its_name(name: str,
 )
 def test_other_files_are_none(name: str) -> None:
     assert not is_request(name, "week1")
+
+
+@pytest.mark.parametrize(
+    ("name", "about"), [("ada/request_week2.md", "week2"), ("week1.ipynb", ""), ("notes.md", "")]
+)
+def test_a_form_says_which_set_it_is_about(name: str, about: str) -> None:
+    assert set_asked_about(name) == about

@@ -33,6 +33,7 @@ from corollary.records.regrade_requests import (
     is_request,
     part_places,
     requests_in,
+    set_asked_about,
 )
 from corollary.records.settings import read_settings
 from corollary.records.submissions import (
@@ -212,6 +213,9 @@ def collect(
             elif isinstance(asked, Arrival):
                 arrivals.append(asked)
             continue
+        if about := set_asked_about(member.parts[-1]):
+            arrivals.append(_of_another_set(member, directory, name, about))
+            continue
         found = guarded(
             partial(identified, member, problem_set, directory, known, assigned, conflicts, released), LONGEST
         )
@@ -368,6 +372,14 @@ def _request(
         return Arrival(student, member.name, "", UNUSABLE, why)
     new = 0 if dry_run else add_requests(course, name, student, found)
     return CollectedRequest(student, writable(member.name), tuple(each.part for each in found), new)
+
+
+def _of_another_set(member: Member, directory: Directory, set_name: str, about: str) -> Arrival:
+    """A form for regrading that is about another set."""
+    lms = lms_name(member.parts)
+    student = directory.of_lms(lms) if lms else directory.of_parts(member.parts, set_name)
+    why = f"is a request for regrading of {about}; collect it with corollary collect {about}"
+    return Arrival(student or "", member.name, "", UNUSABLE if student else NOBODY, why)
 
 
 def _stumbled(member: Member, directory: Directory, set_name: str, failure: Failure) -> Arrival:

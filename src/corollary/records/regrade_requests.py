@@ -44,8 +44,14 @@ def file_name(set_name: str) -> str:
 
 def is_request(name: str, set_name: str) -> bool:
     """Whether a file's own name says that it is a request about this set, as an LMS or a browser may have changed it."""
+    about = set_asked_about(name)
+    return set_name.casefold() in {about.casefold(), again(about)[0].casefold()}
+
+
+def set_asked_about(name: str) -> str:
+    """The set that a form's name says, with whatever an LMS appended; empty for another file."""
     found = NAME.search(name.rsplit("/", 1)[-1])
-    return found is not None and set_name.casefold() in {found[1].casefold(), again(found[1])[0].casefold()}
+    return found[1] if found else ""
 
 
 def requests_in(content: bytes, parts: Mapping[tuple[str, str], str], at: str) -> list[RegradeRequest]:
