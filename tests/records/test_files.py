@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from pathlib import Path
+from threading import Event, Thread
+from time import sleep
 
 import pytest
 
@@ -103,3 +105,19 @@ def test_a_second_writer_is_told_and_the_next_one_may(tmp_path: Path) -> None:
         pass
     with one_writer(course):
         assert sorted(path.name for path in (course.folder / ".corollary").iterdir()) == before
+
+
+def test_a_second_writer_waits_for_one_that_is_soon_done(tmp_path: Path) -> None:
+    course = create_course(tmp_path / "course", [Student("ada")])
+    begun = Event()
+
+    def first() -> None:
+        with one_writer(course):
+            begun.set()
+            sleep(0.3)
+
+    thread = Thread(target=first)
+    thread.start()
+    begun.wait()
+    with one_writer(course):
+        thread.join()

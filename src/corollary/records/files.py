@@ -12,6 +12,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
+from time import monotonic, sleep
+from typing import Final
 
 from corollary.atomic import make_folders, write_whole
 from corollary.messages import did_you_mean, few
@@ -214,13 +216,19 @@ def roster_table(roster: Iterable[Student]) -> str:
     return table.getvalue()
 
 
+PATIENCE_S: Final = 2.0
+
+
 @contextmanager
 def one_writer(course: Course) -> Generator[None]:
-    """Held while something is written that two must not write at once. Raises BeingGraded.
+    """Held while something is written that two must not write at once. Raises BeingGraded, when another has it for longer than
+    saving a mark takes.
 
     A lock which the system releases when its holder ends, however it ends: no stale lock file is left.
     """
-    descriptor = _locked(course.folder / ".corollary")
+    until = monotonic() + PATIENCE_S
+    while (descriptor := _locked(course.folder / ".corollary")) is None and monotonic() < until:
+        sleep(0.05)
     if descriptor is None:
         raise BeingGraded(
             f"another corollary command is running in {course.folder}; wait until it has ended, then run this again"
