@@ -159,7 +159,7 @@ def _with_palette(figure, dpi):
     """With 256 colours at most: a third of the bytes, which are stored three times, and of the time that deflating takes."""
     sink = io.BytesIO()
     with PngImageFile(io.BytesIO(_encoded(figure, dpi, compress_level=0))) as picture:
-        opaque = picture.mode == "RGBA" and picture.getextrema()[3][0] == 255
+        opaque = picture.mode == "RGBA" and picture.getchannel("A").getextrema() == (255, 255)
         whole = (
             picture.convert("RGB") if opaque else picture
         )  # of clear pixels other colours would be coarser
