@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Unread, Verdict, word
 from corollary.messages import N_, catalogue, in_convention
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.dates import in_words
-from corollary.records.manual_marks import RubricItem
 from corollary.units.unit import show
+
+if TYPE_CHECKING:
+    from corollary.records.manual_marks import RubricItem
 
 _ = catalogue(__name__)
 
