@@ -19,7 +19,7 @@ from corollary.records.collusion import RARE, SHARING, Shared, read_shared
 from corollary.records.deadlines import Deadlines, read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.manual_marks import ManualMarks
-from corollary.records.marks import HandedIn, Row, read_marks
+from corollary.records.marks import UNMARKED, HandedIn, Row, read_marks
 from corollary.records.near_miss_groups import NearMisses, near_misses, near_misses_record
 from corollary.records.outside_changes import OutsideChange, read_outside
 from corollary.records.regrade_requests import open_requests
@@ -283,11 +283,18 @@ def report(
     )
 
 
+def is_unfinished(rows: Iterable[Row]) -> bool:
+    """True for a part of which every answer still waits for a person, though blank ones are marked by themselves."""
+    verdicts = {BY_HAND if row.by_hand else row.verdict for row in rows}
+    return UNMARKED in verdicts and verdicts <= {UNMARKED, "unread"}
+
+
 def _tally(problem: str, part: str, rows: Sequence[Row]) -> PartTally:
-    """A part of which every answer still waits has no share, though blank ones are marked by themselves."""
+    """A part of which every answer still waits has no share."""
     counts = Counter(BY_HAND if row.by_hand else row.verdict for row in rows)
-    unfinished = counts["unmarked"] and counts["unmarked"] + counts["unread"] == len(rows)
-    marked = [] if unfinished else [row for row in rows if row.verdict != "unmarked" and row.out_of > 0]
+    marked = (
+        [] if is_unfinished(rows) else [row for row in rows if row.verdict != UNMARKED and row.out_of > 0]
+    )
     shares = [row.points / row.out_of for row in marked]
     return PartTally(
         problem, part, {word: counts[word] for word in (*WORDS, BY_HAND)}, fmean(shares) if shares else None

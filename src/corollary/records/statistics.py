@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from corollary.records.marks import UNMARKED, Row
-from corollary.records.report_model import Met, Report
+from corollary.records.report_model import Met, Report, is_unfinished
 from corollary.records.rubrics import RubricCount
 from corollary.records.unlisted import SharedRule, shared_rules_record
 
@@ -153,7 +153,15 @@ class MisconceptionShare:
 
 def answers_to_parts(rows: Sequence[Row]) -> list[AnswersToPart]:
     """By part, in the order of their first row; what waits for a person, and what earns nothing anyway, is left out."""
-    counted = [row for row in rows if row.verdict != UNMARKED and row.out_of > 0]
+    of_parts: dict[Place, list[Row]] = {}
+    for row in rows:
+        of_parts.setdefault((row.problem, row.part), []).append(row)
+    unfinished = {place for place, its in of_parts.items() if is_unfinished(its)}
+    counted = [
+        row
+        for row in rows
+        if row.verdict != UNMARKED and row.out_of > 0 and (row.problem, row.part) not in unfinished
+    ]
     points: dict[str, tuple[float, float]] = {}
     for row in counted:
         earned, out_of = points.get(row.student, (0.0, 0.0))
