@@ -73,7 +73,7 @@ NOT_RUN = {
     r"--translate": "writes into the bank (tests/cli)",
     r"--check": "needs Coq (tests/verify)",
     r"--anew|kicking_a_ball$|verify --watch$": "verifies for minutes, or for ever",
-    r"--watch|^practise|^preview|^mark (momentum_1|SET)$": "goes on until it is stopped",
+    r"--watch|^practise|^preview|^mark (momentum_1|SET)( --section A)?$": "goes on until it is stopped",
     r"--accept ID": "needs a near miss (tests/records)",
     r"^trade": "takes minutes (tests/benchmarks)",
 }
