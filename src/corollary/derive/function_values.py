@@ -167,7 +167,7 @@ class _Elimination:
             tuple(self.known.functions),
         )
         solution: Generally = self._once(
-            ("general", start, *about), lambda: self._general(residuals, functions, x, start)
+            ("general", start, *about), self._general, residuals, functions, x, start
         )
         order = len(solution.values)
         if len(conditions) < order:
@@ -179,7 +179,7 @@ class _Elimination:
         letters = frozenset(letters_in(self.laws, self.known))
         self.pairs = [pair for pair in self.pairs if not any(pair is each for each in used)]
         decides = "found", *about, start, tuple(used), tuple(self.places), letters
-        return self._once(decides, lambda: self._with_values(residuals, functions, solution, used, start))
+        return self._once(decides, self._with_values, residuals, functions, solution, used, start)
 
     def _once(self, decided_by: Hashable, make: Callable[..., Any], *of: Any) -> Any:
         """What is made of a differential equation, made before where all that decides it is the same: of the bends of a law `verify`

@@ -15,7 +15,6 @@ from typing import Any, cast
 
 import sympy
 from sympy.core.function import AppliedUndef
-from sympy.core.sorting import default_sort_key
 
 from corollary.formula.ast import Expr, Relation, names
 from corollary.formula.authored import as_expression
@@ -225,67 +224,7 @@ def is_function(meaning: object) -> bool:
 
 def substitute(expression: Any, values: Mapping[Any, sympy.Expr]) -> Any:
     """The expression (or relation) with letters, or whole parts, replaced, all at once; simplified only as sympy does by itself."""
-    if not values:
-        return expression
-    found = _with_values(expression, values)
-    return expression.subs(dict(values)) if found is None else found
-
-
-KNOWN_NODES = (
-    sympy.Add, sympy.Mul, sympy.Pow, sympy.exp, sympy.log, sympy.sin, sympy.cos, sympy.tan, sympy.asin, sympy.acos, sympy.atan,
-    sympy.sinh, sympy.cosh, sympy.tanh, sympy.Abs, sympy.Symbol, sympy.Number, sympy.NumberSymbol,
-)  # fmt: skip
-"""Nodes in which `subs` looks for a letter in each argument, and nowhere else."""
-
-
-def _with_values(expression: Any, values: Mapping[Any, Any]) -> Any | None:
-    """What `subs` gives for letters in a formula of known nodes, in its order, without comparing whole trees at each node; None elsewhere."""
-    if not all(isinstance(letter, sympy.Symbol) for letter in values) or not _of_known_nodes(expression):
-        return None
-    there = set(expression.free_symbols)
-    for letter in sorted(values, key=default_sort_key):
-        value = values[letter]
-        if letter not in there or value == letter:
-            continue
-        if not isinstance(value, sympy.Expr) or value.has(*INFINITE):  # pyright: ignore[reportUnknownMemberType]
-            return None
-        expression = _exchanged(expression, letter, value, {})
-        if not _of_known_nodes(expression):
-            return None
-        there |= value.free_symbols
-    return expression
-
-
-INFINITE = sympy.oo, -sympy.oo, sympy.zoo, sympy.nan  # which `subs` puts in first
-
-
-def _of_known_nodes(expression: Any) -> bool:
-    todo, seen = [expression], set[Any]()
-    while todo:
-        node = todo.pop()
-        if node in seen:
-            continue
-        if not isinstance(node, KNOWN_NODES):
-            return False
-        seen.add(node)
-        todo += node.args
-    return True
-
-
-def _exchanged(node: Any, letter: sympy.Symbol, value: Any, done: dict[Any, Any]) -> Any:
-    """The tree with a value for a letter, each node that changes made anew from its arguments; `done` are nodes seen before."""
-    if node == letter:
-        return value
-    if not node.args:
-        return node
-    if node not in done:
-        arguments = [_exchanged(each, letter, value, done) for each in node.args]
-        same = all(
-            new is old or (new == old and new.is_same(old))
-            for new, old in zip(arguments, node.args, strict=True)
-        )
-        done[node] = node if same else node.func(*arguments)
-    return done[node]
+    return expression.subs(dict(values)) if values else expression
 
 
 def _meaning(value: object) -> Meaning:
