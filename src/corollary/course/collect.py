@@ -140,7 +140,6 @@ def settled(
         if isinstance(content, bytes) and not dry_run:
             keep(course, name, latest.student, content)
     if not dry_run:
-        keep(course, name, latest.student, latest.content)
         content = folded(course, name, latest.student, latest.content) if large else latest.content
         write_whole(place / STAMP, stamp(when))
         write_whole(course.notebook("submitted", latest.student, name), content)
@@ -308,14 +307,14 @@ class _StudentFiles:
                     f"{self.student}: {writable(each.member.name)} {why}; that one is taken"
                 )
             found.append(each.arrival(OLDER, why))
-        found.append(
-            settled(self.course, name, latest, self.there, self.past, self.moved, self.dry_run, self.large)
-        )
         if not self.dry_run:
             for each in self.theirs:
                 keep(self.course, name, self.student, each.content)
-            if self.large:
-                set_aside(self.course, name, self.student)
+        found.append(
+            settled(self.course, name, latest, self.there, self.past, self.moved, self.dry_run, self.large)
+        )
+        if self.large and not self.dry_run:
+            set_aside(self.course, name, self.student)
         return found
 
 
@@ -357,8 +356,7 @@ def _request(
 ) -> CollectedRequest | Arrival:
     """A form for regrading: whose it is only its place says, never the form."""
     name = problem_set.name
-    lms = lms_name(member.parts)
-    student = directory.of_lms(lms) if lms else directory.of_parts(member.parts, name)
+    student = directory.of_file(member.parts, name)
     if student is None:
         why = f"is a request for regrading, and its name tells no student; rename it to STUDENT_{file_name(name)}"
         return Arrival("", member.name, "", NOBODY, why)
@@ -376,15 +374,17 @@ def _request(
 
 def _of_another_set(member: Member, directory: Directory, set_name: str, about: str) -> Arrival:
     """A form for regrading that is about another set."""
-    lms = lms_name(member.parts)
-    student = directory.of_lms(lms) if lms else directory.of_parts(member.parts, set_name)
     why = f"is a request for regrading of {about}; collect it with corollary collect {about}"
-    return Arrival(student or "", member.name, "", UNUSABLE if student else NOBODY, why)
+    return _left(member, directory, set_name, why)
 
 
 def _stumbled(member: Member, directory: Directory, set_name: str, failure: Failure) -> Arrival:
     """A file over which this program stumbled: it stays where it is, and a person looks at it."""
-    lms = lms_name(member.parts)
-    student = directory.of_lms(lms) if lms else directory.of_parts(member.parts, set_name)
     why = f"made corollary fail ({failure.what}); please report it, and look at the file yourself"
+    return _left(member, directory, set_name, why)
+
+
+def _left(member: Member, directory: Directory, set_name: str, why: str) -> Arrival:
+    """A file that is not taken, with its student where its place says whose it is."""
+    student = directory.of_file(member.parts, set_name)
     return Arrival(student or "", member.name, "", UNUSABLE if student else NOBODY, why)

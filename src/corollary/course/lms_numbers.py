@@ -60,7 +60,7 @@ class OwnFiles:
             own = self._own(student, lms, theirs, lms in same)
             accepted |= {id(each) for each in theirs if own is None or _number(each) in own}
             if own is not None and (left := [each for each in theirs if _number(each) not in own]):
-                self._refuse(student, lms, theirs, left, own)
+                self._refuse(student, lms, left, own, came=len(left) < len(theirs))
         return [each for each in met if id(each) in accepted]
 
     def _is_same_assignment(self, lms: str, groups: Mapping[tuple[str, str], Sequence[Found]]) -> bool:
@@ -88,8 +88,9 @@ class OwnFiles:
         return () if len(numbers) > 1 else None
 
     def _refuse(
-        self, student: str, lms: str, theirs: Sequence[Found], left: Sequence[Found], own: Collection[str]
+        self, student: str, lms: str, left: Sequence[Found], own: Collection[str], *, came: bool
     ) -> None:
+        """`came`: a file under the student's own number came, too."""
         who, name = self._called(student), NAMES[lms]
         numbers = sorted({_short(_number(each)) for each in left}, key=lambda each: (len(each), each))
         hers = ", ".join(sorted(map(_short, own)))
@@ -118,7 +119,6 @@ class OwnFiles:
             self.refused.append(msgspec.structs.replace(arrival, student=""))
         count = "one more number" if own and len(numbers) == 1 else f"{len(numbers)} numbers"
         files = few([writable(each.member.name) for each in left], 4)
-        came = {_number(each) for each in theirs} & {*own}
         outcome = f"only the file under {hers} is taken" if came else "none of their files is taken"
         if own and not came:
             outcome += f" (the student's number is {hers})"

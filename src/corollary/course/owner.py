@@ -113,7 +113,7 @@ def identified(
     """Whose a file is. The name that an LMS or a person gave it counts for more than what the notebook says of itself, for
     whoever has a neighbour's notebook cannot hand in as the neighbour. `released`: each student's sheet as it lies in the course."""
     lms = lms_name(member.parts)
-    by_place = directory.of_lms(lms) if lms else directory.of_parts(member.parts, problem_set.name)
+    by_place = directory.of_file(member.parts, problem_set.name)
     number = f"{lms.lms} {lms.number}" if lms else ""
     namesakes = directory.namesakes(lms.name) if lms and by_place is None else []
 

@@ -85,7 +85,7 @@ class OwnerCollector(FileNameCollectorPlugin):
             _below(path, app.extracted_directory if isinstance(app, ZipCollectApp) else ""),
         )
         lms = lms_name(parts)
-        owner = directory.of_lms(lms) if lms else directory.of_parts(parts, name)
+        owner = directory.of_file(parts, name)
         known = says.student in {each.id for each in roster}
         # A name of somebody else's outweighs what the notebook says of itself.
         if owner is None and known and (lms is None or directory.admits(lms, says.student)):

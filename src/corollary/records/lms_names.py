@@ -168,6 +168,11 @@ class Directory:
                 )
         return False
 
+    def of_file(self, parts: Sequence[str], set_name: str) -> str | None:
+        """By what an LMS says of a file, else by the names of the folders around it and its own."""
+        lms = lms_name(parts)
+        return self.of_lms(lms) if lms else self.of_parts(parts, set_name)
+
     def of_parts(self, parts: Sequence[str], set_name: str) -> str | None:
         """By the names of the folders around a file and its own: whose id or whose whole name stands in the first that has one."""
         for part in parts:
