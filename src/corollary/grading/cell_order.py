@@ -59,7 +59,7 @@ def cell_names(source: str) -> CellNames:
     for statement in tree.body:
         _follow(statement, found)
         loaded = {each.id for each in ast.walk(statement) if isinstance(each, ast.Name)}
-        here = packages_in(statement)
+        here = _packages_in(statement)
         for package in here | {each for each, names in found.imports.items() if names & loaded}:
             found.imports.setdefault(package, set()).update(_made_by(statement))
     if found.reads & found.makes.keys():  # `n = n + 1`
@@ -68,7 +68,7 @@ def cell_names(source: str) -> CellNames:
     return found
 
 
-def packages_in(node: ast.AST) -> set[str]:
+def _packages_in(node: ast.AST) -> set[str]:
     """The packages imported anywhere below, by a statement or by `import_module("…")`."""
     found = set[str]()
     for each in ast.walk(node):

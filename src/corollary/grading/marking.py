@@ -36,7 +36,6 @@ from corollary.notebook.locate import (
     cells_by_id,
     code_to_run,
     plot_cells,
-    plot_id,
     written_elsewhere,
     written_into_question,
     written_text,
@@ -128,14 +127,6 @@ class _CameBack:
     def index_of(self, cell: NotebookNode | None) -> int | None:
         name = cell.get("id") if cell is not None else None
         return next((index for index, each in enumerate(self.job.cells) if name and each.id == name), None)
-
-    def doubt_of(self, prompt: Prompt) -> int | None:
-        """The index of the cell that imports a missing package, where what a part's cell gives may depend on it."""
-        named = cells_by_id(self.notebook.node)
-        for own in (answer_id(prompt.key, prompt.part), plot_id(prompt.key, prompt.part)):
-            if own in named and (found := self.stops.doubted.get(named[own].get("id", ""))) is not None:
-                return found
-        return None
 
     def error_of(self, cell: NotebookNode | None) -> str:
         index = self.index_of(cell)
@@ -279,8 +270,9 @@ def _explained(part: PartGrade, prompt: Prompt, came: _CameBack) -> PartGrade:
     if {prompt.name, prompt.key} & came.second:
         return _by_second_run(part, prompt, came)
     run_for_it = any(each.found_in in {"function", "figure"} for each in prompt.answer_types)
-    doubt = came.doubt_of(prompt) if not part.waits and part.points < part.out_of else None
-    if not blank and doubt is None and not (run_for_it and not part.waits and part.points < part.out_of):
+    loses = not part.waits and part.points < part.out_of
+    doubt = came.stops.doubt_of(prompt, came.notebook) if loses else None
+    if not blank and doubt is None and not (run_for_it and loses):
         return part
     if blank and (uncertain := came.uncertain.get(prompt.name, came.uncertain.get(prompt.key))) is not None:
         return _waiting(part, _order_matters(), text_typed(uncertain))

@@ -57,15 +57,14 @@ class Stops:
 
     def of_part(self, prompt: Prompt, notebook: Notebook) -> int | None:
         """The cell to blame where a part has no answer."""
-        named = cells_by_id(notebook.node)
         for name in (prompt.name, prompt.key):
             if name in self.of_names:
                 return self.of_names[name]
-        for own in (answer_id(prompt.key, prompt.part), plot_id(prompt.key, prompt.part)):
-            cell = named.get(own) if own else None
-            if cell is not None and (found := self.of_cells.get(cell.get("id", ""))) is not None:
-                return found
-        return None
+        return _first(self.of_cells, prompt, notebook)
+
+    def doubt_of(self, prompt: Prompt, notebook: Notebook) -> int | None:
+        """The cell that imports a missing package, where what a part's cell gives may depend on it."""
+        return _first(self.doubted, prompt, notebook)
 
     def of_error(self, error: str) -> CellStop | None:
         """What an error inside a student's function comes from: a missing package, in whatever cell it was to be imported."""
@@ -74,6 +73,16 @@ class Stops:
             cell = self.cells[self.of_names[stop.about]]
             return CellStop("package", cell.about) if cell.kind == "package" else None
         return stop if stop.kind == "package" else None
+
+
+def _first(by_cell: Mapping[str, int], prompt: Prompt, notebook: Notebook) -> int | None:
+    """The index found for the first of a part's own cells that has one."""
+    named = cells_by_id(notebook.node)
+    for own in (answer_id(prompt.key, prompt.part), plot_id(prompt.key, prompt.part)):
+        cell = named.get(own) if own else None
+        if cell is not None and (found := by_cell.get(cell.get("id", ""))) is not None:
+            return found
+    return None
 
 
 def stops_in(
