@@ -245,10 +245,8 @@ def _standing(course: Course, problem_set: ProblemSet, given: list[str]) -> Mark
     ids = _ids(course)
     for words in given:
         place, equals, reason = words.partition("=")
-        where, example = (
-            f"--stands {words}",
-            "REASON, for instance ada/X12.5a='the floor takes momentum, too'",
-        )
+        where = f"--stands {words}"
+        example = "REASON, for instance ada/X12.5a='the floor takes momentum, too'"
         key = _place_in(course, problem_set, place if equals else "", ids, where, example)
         mark = ManualMark(None, None, reason.strip() or None, by=login_name(), source=COMMAND)
         found[key] = as_it_stands(course, problem_set, *key, mark), where

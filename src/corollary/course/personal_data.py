@@ -104,8 +104,7 @@ def take_out(
     _reports_again(course, done)
     done.left |= _beyond_reach(course) | _by_name_alone(person)
     for parts, path in _files(course):
-        if parts not in (LOG, KEY) and parts[:3] != PROBLEMS:
-            _mentioned(parts, path, person, done)
+        _mentioned(parts, path, person, done)
     counts = {"deleted": done.count("delete"), "changed": done.count("change", "write again")}
     note_forgotten(course, person.id, "done", counts | {"left": len(done.left)})
     return done
@@ -118,8 +117,7 @@ def person_archive(course: Course, person: Person) -> tuple[bytes, PersonalData]
         for parts, path in _files(course):
             parted = _separated(course, parts, path, person, found)
             if parted is None or not parted.is_changed:
-                if parts not in (LOG, KEY) and parts[:3] != PROBLEMS:
-                    _mentioned(parts, path, person, found)
+                _mentioned(parts, path, person, found)
                 continue
             found.places.append(DataPlace("/".join(parts), _action(parted), parted.entries))
             where = PurePosixPath(*parts)
@@ -155,7 +153,7 @@ def _separated(
     course: Course, parts: tuple[str, ...], path: Path, person: Person, found: PersonalData
 ) -> Separated | None:
     """The file without the student's part; None for what has no part, or cannot be read."""
-    if parts in (LOG, KEY) or parts[:3] == PROBLEMS or path.name.endswith(JOURNALS):
+    if _is_nobodys(parts) or path.name.endswith(JOURNALS):
         return None
     below = _below(parts)
     if path.is_symlink() or not path.is_file():
@@ -176,6 +174,11 @@ def _separated(
         done = separate((*below[:-1], draft[1]), content, person)
         return Separated(None, (), done.entries) if done.is_changed else None
     return separate(below, content, person)
+
+
+def _is_nobodys(parts: tuple[str, ...]) -> bool:
+    """True for what holds no student's data, and may hold the letters of a name by chance."""
+    return parts in (LOG, KEY) or parts[:3] == PROBLEMS
 
 
 def _below(parts: tuple[str, ...]) -> tuple[str, ...]:
@@ -301,6 +304,8 @@ def _by_name_alone(person: Person) -> dict[str, str]:
 
 def _mentioned(parts: tuple[str, ...], path: Path, person: Person, done: PersonalData) -> None:
     """Notes a file of others in which the student is still named."""
+    if _is_nobodys(parts):
+        return
     where = "/".join(parts)
     if mentions("/".join(_below(parts)).encode(), person):
         done.left[where] = "its name names the student; rename or delete it"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from statistics import NormalDist
 from typing import Final
@@ -153,10 +153,7 @@ class MisconceptionShare:
 
 def answers_to_parts(rows: Sequence[Row]) -> list[AnswersToPart]:
     """By part, in the order of their first row; what waits for a person, and what earns nothing anyway, is left out."""
-    of_parts: dict[Place, list[Row]] = {}
-    for row in rows:
-        of_parts.setdefault((row.problem, row.part), []).append(row)
-    unfinished = {place for place, its in of_parts.items() if is_unfinished(its)}
+    unfinished = {place for place, its in _by_part(rows).items() if is_unfinished(its)}
     counted = [
         row
         for row in rows
@@ -166,9 +163,6 @@ def answers_to_parts(rows: Sequence[Row]) -> list[AnswersToPart]:
     for row in counted:
         earned, out_of = points.get(row.student, (0.0, 0.0))
         points[row.student] = earned + row.points, out_of + row.out_of
-    by_part: dict[Place, list[Row]] = {}
-    for row in counted:
-        by_part.setdefault((row.problem, row.part), []).append(row)
     return [
         AnswersToPart(
             *place,
@@ -176,8 +170,15 @@ def answers_to_parts(rows: Sequence[Row]) -> list[AnswersToPart]:
             np.array([float(row.points >= row.out_of * (1 - FULL)) for row in its]),
             np.array([_rest(row, *points[row.student]) for row in its]),
         )
-        for place, its in by_part.items()
+        for place, its in _by_part(counted).items()
     ]
+
+
+def _by_part(rows: Iterable[Row]) -> dict[Place, list[Row]]:
+    found: dict[Place, list[Row]] = {}
+    for row in rows:
+        found.setdefault((row.problem, row.part), []).append(row)
+    return found
 
 
 def _rest(row: Row, earned: float, out_of: float) -> float:

@@ -66,8 +66,10 @@ FORMULA, TAG = re.compile(r"<math\b.*?</math>", re.DOTALL), re.compile("<[^>]*>"
 
 def font_file(body: str, formulas: bool) -> str:
     """The font that the formulas of a page need, or those that come later (`formulas`); none without any."""
-    if formulas or "<math" not in body:
-        return "mathematics.woff2" if formulas else ""
+    if formulas:
+        return "mathematics.woff2"
+    if "<math" not in body:
+        return ""
     letters = unescape(TAG.sub("", "".join(FORMULA.findall(body))))
     return "mathematics_usual.woff2" if USUAL.fullmatch(letters) else "mathematics.woff2"
 
