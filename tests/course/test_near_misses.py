@@ -56,7 +56,7 @@ def course(handed_in: Path) -> tuple[Path, Graded]:
     """Ada and Ben lose a power of ten, each with numbers of their own; Cyd writes a sentence, forgets quotes and is wrong."""
     write(handed_in, "ada", d='"{e}*102 N"', a='"{} kg m/s"')
     write(handed_in, "ben", d='"{e}*102 N"', c="1")
-    write(handed_in, "cyd", d='"1.234 N"', c='"I think it is {}, for p = mv"', a="{} kg m/s")
+    write(handed_in, "cyd", d='"-7.65e9 N"', c='"I think it is {}, for p = mv"', a="{} kg m/s")
     done = grade(handed_in)
     assert done.status == 0, done.errors
     return handed_in, done
