@@ -43,6 +43,7 @@ def audit_page(outcomes: Sequence[AuditedAnswer]) -> str:
     return page(
         "audit.html",
         title="Audit of an answer key",
+        style="report.css",
         counts={name: counts[name] for name in FINDINGS if counts[name]},
         total=len(outcomes),
         groups=groups,

@@ -53,7 +53,7 @@ def marking_page(
         "mark.html",
         title=f"{problem_set.title}: marking",
         script="mark.js",
-        style="mark.css",
+        style=("report.css", "mark.css"),
         sends=True,
         formulas=True,
         heading=problem_set.title,

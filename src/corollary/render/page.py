@@ -30,19 +30,19 @@ def page(
     script: str | tuple[str, ...] = (),
     sends: bool = False,
     loads: bool = False,
-    style: str = "",
+    style: str | tuple[str, ...] = (),
     formulas: bool = False,
     **facts: object,
 ) -> str:
     """The page a template of `templates/` makes of the facts; what is no Markup among them is escaped.
 
-    `script` names a file of `templates/`, or several. Nothing else runs, and nothing is fetched: the page's own policy forbids both,
-    but that a page which `sends` may answer the server that it came from, and one that `loads` may run the files beside it and
-    Python in WebAssembly. `style` names a style sheet of its own; with `formulas` it brings the font for those that come later.
+    `script` and `style` name a file of `templates/`, or several; `page.css` is there in any case. Nothing else runs, and nothing is
+    fetched: the page's own policy forbids both, but that a page which `sends` may answer the server that it came from, and one that `loads` may run the files beside it and
+    Python in WebAssembly. With `formulas` it brings the font for those that come later.
     """
     body = CONTROLS.sub("\ufffd", environment().get_template(template).render(**facts))
-    sheet = _style(font_file(body, formulas)) + (_text(style) if style else "")
-    program = "".join(map(_text, (script,) if isinstance(script, str) else script))
+    sheet = _style(font_file(body, formulas)) + _texts(style)
+    program = _texts(script)
     whole = (
         environment()
         .get_template("page.html")
@@ -148,6 +148,10 @@ def drawing_address(exercise: Exercise) -> str:
 def font(file: str) -> str:
     """A mathematics font as base64: only a font made for formulas has roots and brackets that grow."""
     return base64.b64encode(files("corollary.render").joinpath("templates", file).read_bytes()).decode()
+
+
+def _texts(names: str | tuple[str, ...]) -> str:
+    return "".join(map(_text, (names,) if isinstance(names, str) else names))
 
 
 @lru_cache(maxsize=8)

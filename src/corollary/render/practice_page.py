@@ -57,6 +57,7 @@ def practice_page(
         "practise.html",
         title=_("Practise"),
         lang=spoken(),
+        style="practise.css",
         script=("animation.js", "ask_server.js" if verdicts is None else "ask_files.js", "practise.js"),
         sends=verdicts is None,
         loads=verdicts is not None,

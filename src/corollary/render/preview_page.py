@@ -67,7 +67,7 @@ def preview_page(words: Sequence[AuthorWords], variants: str = "") -> str:
         "preview.html",
         title="Preview",
         script="preview.js",
-        style="preview.css",
+        style=("report.css", "practise.css", "preview.css"),
         sends=True,
         formulas=True,
         words=words,

@@ -119,6 +119,7 @@ def proofs_page(problems: Sequence[VerifiedProblem]) -> str:
     return page(
         "proofs.html",
         title="Problems verified",
+        style="report.css",
         problems=problems,
         outcomes=OUTCOMES,
         table=table,

@@ -303,6 +303,7 @@ def report_page(
         "report.html",
         title=f"{problem_set.title}: report",
         script="report.js",
+        style="report.css",
         report=report,
         sharing=SHARING,
         parts_lost=parts_lost,

@@ -271,6 +271,7 @@ def term_page(term: CourseTerm, followed: Sequence[Followed], lines: Sequence[Mi
         "term.html",
         title="The term",
         script="report.js",
+        style="report.css",
         term=term,
         headline=headline(term),
         rules=rules_text(term),
