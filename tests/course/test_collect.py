@@ -677,6 +677,43 @@ def test_a_file_that_is_renamed_to_its_student_is_late_by_no_time_of_a_copy(
     assert "does not say when anything was handed in" in found.remarks[0]
 
 
+@pytest.mark.parametrize("with_worksheet", [True, False])
+def test_a_file_that_was_saved_again_and_renamed_is_late_by_no_time_of_a_copy(
+    course: Path, tmp_path: Path, with_worksheet: bool
+) -> None:
+    theirs = sheet(course, "ada")
+    worksheet = tmp_path / "grades.csv"
+    worksheet.write_text(
+        "Identifier,Full name,Email address,Last modified (submission)\n"
+        'Participant 17,Ada Lovelace,ada@example.org,"Thursday, 3 December 2026, 9:00 AM"\n'
+    )
+    collected(
+        course, archive(tmp_path / "all.zip", {ADAS: theirs, OTHERS: sheet(course, "ada", note="x")}, day=3)
+    )
+    (renamed := tmp_path / "ada.ipynb").write_text(json.dumps(json.loads(theirs), indent=3))
+    late = datetime(2026, 12, 20, 9, 0, tzinfo=UTC).timestamp()
+    os.utime(renamed, (late, late))
+    collected(course, renamed, times=worksheet if with_worksheet else None)
+    assert when(course, "ada") == ("03 09:00" if with_worksheet else "04 23:59")
+
+
+def test_a_request_under_the_number_of_a_stranger_is_nobodys(course: Path, tmp_path: Path) -> None:
+    worksheet = tmp_path / "grades.csv"
+    worksheet.write_text(
+        "Identifier,Full name,Email address,Last modified (submission)\n"
+        'Participant 17,Ada Lovelace,ada@example.org,"Thursday, 3 December 2026, 9:00 AM"\n'
+    )
+    both = {ADAS: sheet(course, "ada"), OTHERS: sheet(course, "ada", note="other")}
+    found = collected(course, archive(tmp_path / "all.zip", both), times=worksheet)
+    assert outcomes(found) == {ADAS: ACCEPTED, OTHERS: NOBODY}
+    assert not any("--times" in each for each in (*found.conflicts, found.of(NOBODY)[0].why))
+    form = b"## X12.5 (a)\n\nI went by p = 2mv.\n"
+    asked = {name.replace("one.ipynb", "request_one.md"): form for name in both}
+    found = collected(course, archive(tmp_path / "asked.zip", asked, day=5))
+    assert [each.student for each in found.requests] == ["ada"]
+    assert outcomes(found) == {OTHERS.replace("one.ipynb", "request_one.md"): NOBODY}
+
+
 def test_the_worksheet_tells_by_address_whose_a_number_is(course: Path, tmp_path: Path) -> None:
     worksheet = tmp_path / "grades.csv"
     worksheet.write_text(

@@ -44,6 +44,26 @@ def test_a_row_of_a_namesake_stays(table: str, left: str, on_the_roster: bool) -
     assert left in lines[1]
 
 
+@pytest.mark.parametrize(
+    ("table", "left"),
+    [
+        ("student,partner\nada,max\nmax,ada\n", "max,ada"),
+        ("by,about\nmax@uni.example,ada\nada@uni.example,max\n", "max@uni.example,ada"),
+        ("Student,Partner\nAda Lovelace,Max Born\nMax Born,Ada Lovelace\n", "Max Born,Ada Lovelace"),
+        ("Surname,First name,Username\nLovelace,Ada,ada\nLovelace,Ada,alovelace9\n", "Lovelace,Ada,alovelace9"),
+    ],
+)  # fmt: skip
+def test_a_row_is_of_whom_it_identifies_first(table: str, left: str) -> None:
+    done = separate(("pairs.csv",), table.encode(), person())
+    assert done.entries == 1
+    assert (done.rest or b"").decode().splitlines()[1:] == [left]
+
+
+def test_a_row_of_a_group_with_somebody_unknown_before_is_hers() -> None:
+    table = b"tutor,student\ntutor@uni.example,ada\n"
+    assert separate(("tutors.csv",), table, person()).entries == 1
+
+
 def test_a_row_with_nothing_but_the_name_is_hers_only_where_it_is_one_persons() -> None:
     table = b"Student,Points\nAda Lovelace,5\n"
     assert separate(("points.csv",), table, person()).entries == 1

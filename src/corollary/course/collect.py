@@ -201,16 +201,12 @@ def collect(
     failures = FailureLog(course, name)
     directory = directory_of(roster, before, numbers)
     known = {each.id: each for each in roster}
-    requests: list[CollectedRequest] = []
+    requests, forms = list[CollectedRequest](), list[Member]()
     released = partial(read_sheet, course, name)
     for member in _members(sources, directory, name):
         progress(writable(member.name))
         if is_request(member.parts[-1], name):
-            asked = guarded(partial(_request, course, problem_set, member, directory, dry_run), LONGEST)
-            if isinstance(asked, CollectedRequest):
-                requests.append(asked)
-            elif isinstance(asked, Arrival):
-                arrivals.append(asked)
+            forms.append(member)
             continue
         if about := set_asked_about(member.parts[-1]):
             arrivals.append(_of_another_set(member, directory, name, about))
@@ -227,9 +223,17 @@ def collect(
                 found = stumbled
             arrivals.append(found)
     own = OwnFiles(known_numbers(roster, numbers_before(roster, before), by_id), known)
-    met = as_they_came(own.of(met), (*before, *own.refused))
+    met = as_they_came(own.of(met), (*before, *own.refused), own.known, directory)
     arrivals += own.refused
     conflicts += own.conflicts
+    strangers = own.strangers((*before, *own.refused))
+    for member in forms:
+        ask = partial(_request, course, problem_set, member, directory, strangers, dry_run)
+        asked = guarded(ask, LONGEST)
+        if isinstance(asked, CollectedRequest):
+            requests.append(asked)
+        elif isinstance(asked, Arrival):
+            arrivals.append(asked)
     deadlines = read_deadlines(course, problem_set)
     with_times, remarks = dated(met, moments, zone, deadlines, now)
     remarks += moments.remarks
@@ -352,11 +356,22 @@ def _members(sources: Sequence[Path], directory: Directory, set_name: str) -> It
 
 
 def _request(
-    course: Course, problem_set: ProblemSet, member: Member, directory: Directory, dry_run: bool
+    course: Course,
+    problem_set: ProblemSet,
+    member: Member,
+    directory: Directory,
+    strangers: Collection[str],
+    dry_run: bool,
 ) -> CollectedRequest | Arrival:
-    """A form for regrading: whose it is only its place says, never the form."""
+    """A form for regrading: whose it is only its place says, never the form. `strangers` are the numbers of files that were refused."""
     name = problem_set.name
-    student = directory.of_file(member.parts, name)
+    student, lms = directory.of_file(member.parts, name), lms_name(member.parts)
+    if student and lms and lms.key in strangers:
+        why = (
+            f"is a request for regrading under a number whose notebook was not taken as that of {student}; "
+            f"if it is theirs, rename it to {student}_{file_name(name)}"
+        )
+        return Arrival("", member.name, "", NOBODY, why, "", lms.key)
     if student is None:
         why = f"is a request for regrading, and its name tells no student; rename it to STUDENT_{file_name(name)}"
         return Arrival("", member.name, "", NOBODY, why)

@@ -10,8 +10,8 @@ import msgspec
 from corollary.course.owner import Found
 from corollary.messages import few
 from corollary.problem.roster import Student
-from corollary.records.lms_names import LmsName, canvas_ids, lms_name
-from corollary.records.submissions import NOBODY, Arrival, digest_of, writable
+from corollary.records.lms_names import Directory, LmsName, canvas_ids, lms_name
+from corollary.records.submissions import ACCEPTED, NOBODY, UNCHANGED, Arrival, digest_of, writable
 
 NAMES = {"moodle": "Moodle", "canvas": "Canvas"}
 
@@ -63,6 +63,11 @@ class OwnFiles:
                 self._refuse(student, lms, left, own, came=len(left) < len(theirs))
         return [each for each in met if id(each) in accepted]
 
+    def strangers(self, arrivals: Iterable[Arrival]) -> set[str]:
+        """The numbers of files that were taken from nobody, and that are not known to be a student's."""
+        refused = {each.number for each in arrivals if each.outcome == NOBODY and each.number}
+        return refused - self.known.earlier.keys() - self.known.by_id.keys()
+
     def _is_same_assignment(self, lms: str, groups: Mapping[tuple[str, str], Sequence[Found]]) -> bool:
         """True if a new number is a new person, since numbers of this assignment are known. Another assignment of the LMS gives all
         its students new numbers."""
@@ -99,7 +104,7 @@ class OwnFiles:
         }
         sheet = (
             "give Moodle's grading worksheet with --times (its addresses tell them apart), or "
-            if lms == "moodle"
+            if lms == "moodle" and not any(_is_of(lms, number) for number in self.known.by_id)
             else ""
         )
         do = f"{sheet}rename the right file to {student}.ipynb and collect it again"
@@ -131,22 +136,39 @@ class OwnFiles:
         return student if about is None else about.name_with_id
 
 
-def as_they_came(met: Sequence[Found], arrivals: Iterable[Arrival]) -> list[Found]:
-    """The files, each that somebody renamed with the name under which the LMS gave it (the same content came under it): its time
-    and number are those of the hand-in, and not those of a copy on somebody's disk."""
+def as_they_came(
+    met: Sequence[Found], arrivals: Sequence[Arrival], known: LmsNumbers, directory: Directory
+) -> list[Found]:
+    """The files, each that somebody renamed with the name under which the LMS gave it: its time and number are those of the
+    hand-in, and not those of a copy on somebody's disk. It is known by its content; one that was saved again, where files under
+    the student's name were refused and none was taken, by the number that is the student's. With none its time is not known."""
     by_digest: dict[str, dict[str, LmsName]] = {}
+    refused, taken = list[LmsName](), set[str]()
     for each in arrivals:
-        if each.digest and (lms := lms_name(each.file.split("/"))):
-            by_digest.setdefault(each.digest, {})[lms.number] = lms
+        if lms := lms_name(each.file.split("/")):
+            if each.digest:
+                by_digest.setdefault(each.digest, {})[lms.key] = lms
+            if each.outcome == NOBODY:
+                refused.append(lms)
+            elif each.outcome in (ACCEPTED, UNCHANGED):
+                taken.add(each.student)
     found = list[Found]()
     for each in met:
         names = {} if each.lms else by_digest.get(digest_of(each.content), {})
-        found.append(replace(each, lms=next(iter(names.values()))) if len(names) == 1 else each)
+        theirs = [] if each.lms else [lms for lms in refused if directory.admits(lms, each.student)]
+        if len(names) == 1:
+            found.append(replace(each, lms=next(iter(names.values()))))
+        elif theirs and each.student not in taken:
+            own = [lms for lms in theirs if lms.key in known.certain(each.student, lms.lms)]
+            undated = replace(each, member=replace(each.member, modified=None))
+            found.append(replace(each, lms=own[0]) if own else undated)
+        else:
+            found.append(each)
     return found
 
 
 def _number(found: Found) -> str:
-    return f"{found.lms.lms} {found.lms.number}" if found.lms else ""
+    return found.lms.key if found.lms else ""
 
 
 def _short(number: str) -> str:

@@ -76,7 +76,7 @@ class Found:
 
     def arrival(self, outcome: str, why: str) -> Arrival:
         """What became of it."""
-        number = f"{self.lms.lms} {self.lms.number}" if self.lms else ""
+        number = self.lms.key if self.lms else ""
         when = stamp(self.when) if self.when else ""
         digest = digest_of(self.content)
         return Arrival(self.student, self.member.name, when, outcome, why, digest, number, self.time)
@@ -114,7 +114,7 @@ def identified(
     whoever has a neighbour's notebook cannot hand in as the neighbour. `released`: each student's sheet as it lies in the course."""
     lms = lms_name(member.parts)
     by_place = directory.of_file(member.parts, problem_set.name)
-    number = f"{lms.lms} {lms.number}" if lms else ""
+    number = lms.key if lms else ""
     namesakes = directory.namesakes(lms.name) if lms and by_place is None else []
 
     def left(student: str | None, outcome: str, why: str) -> Arrival:

@@ -48,6 +48,11 @@ class LmsName:
     attachment: str = ""
     late: bool | None = None
 
+    @property
+    def key(self) -> str:
+        """The number with its LMS, such as "moodle 17"."""
+        return f"{self.lms} {self.number}"
+
 
 def lms_name(parts: Sequence[str]) -> LmsName | None:
     """What the names that lead to a file say; None when no LMS made them. The outermost counts: what lies inside a student's
@@ -136,13 +141,13 @@ class Directory:
 
     def of_lms(self, found: LmsName) -> str | None:
         """By number where that is known (Canvas's is in its gradebook), else by name."""
-        if (known := self._by_number.get(f"{found.lms} {found.number}")) is not None:
+        if (known := self._by_number.get(found.key)) is not None:
             return known
         if found.lms == "canvas":
             theirs = {each.id for each in self._students if dict(each.ids).get("ID") == found.number}
             if theirs:
                 return _only(theirs)
-        theirs = self._in_worksheet.get(f"{found.lms} {found.number}")
+        theirs = self._in_worksheet.get(found.key)
         namesake = theirs if theirs in self.namesakes(found.name) else None
         return self.by_name(found.name) or self.by_id(found.name) or namesake
 

@@ -87,8 +87,14 @@ class Person:
 
     def is_another(self, value: str) -> bool:
         """True if a field of an id or an address holds somebody else's."""
+        return self.is_of_another(value) or (
+            value not in self.other_ids and ADDRESS.fullmatch(value) is not None
+        )
+
+    def is_of_another(self, value: str) -> bool:
+        """True for the id or address of somebody else whom the course knows."""
         return (value in self.everybody and value != self.id) or (
-            value not in self.other_ids and (value in self._others or ADDRESS.fullmatch(value) is not None)
+            value in self._others and value not in self.other_ids
         )
 
     @cached_property
@@ -98,11 +104,19 @@ class Person:
             value for each in theirs for value in (each.email, *(value for _, value in each.ids)) if value
         )
 
+    @cached_property
+    def others_names(self) -> frozenset[str]:
+        """The names, as the roster writes them, of those who have another name."""
+        name = self.student.name.casefold()
+        return frozenset(
+            each.name for each in self.roster if each.name.casefold() != name and " " in each.name
+        )
+
     def owns_path(self, parts: Sequence[str]) -> bool | None:
         """True if the first name in a path that is a student's is this one's, False if another's, None if there is none."""
         for part in parts:
             if (found := lms_name([part])) is not None:
-                if f"{found.lms} {found.number}" in self.strangers:
+                if found.key in self.strangers:
                     return False
                 whose = self.directory.of_lms(found)
                 if whose is not None or found.name:

@@ -20,7 +20,8 @@ from corollary.sandbox.file import bytes_of
 MOST_BYTES: Final = 20_000
 LONGEST: Final = 2_000  # characters for one part
 HEADING = re.compile(r"^\s{0,3}#{1,6}\s+(\S+)\s*\(([^()\s]{1,12})\)")
-NAME = re.compile(r"request_([\w. ()-]+?)(?:\.(?:md|txt|markdown))+$", re.IGNORECASE)
+NAME = re.compile(r"request[ _-]+([\w. ()-]+?)(?:\.(?:md|txt|markdown))+$", re.IGNORECASE)
+SECOND = re.compile(r"_\d{1,2}_$")  # "(1)", where an LMS has no brackets in a name
 
 
 class RegradeRequest(msgspec.Struct, frozen=True):
@@ -45,7 +46,9 @@ def file_name(set_name: str) -> str:
 def is_request(name: str, set_name: str) -> bool:
     """Whether a file's own name says that it is a request about this set, as an LMS or a browser may have changed it."""
     about = set_asked_about(name)
-    return set_name.casefold() in {about.casefold(), again(about)[0].casefold()}
+    return set_name.casefold() in {
+        each.casefold() for each in (about, again(about)[0], SECOND.sub("", about))
+    }
 
 
 def set_asked_about(name: str) -> str:

@@ -11,7 +11,7 @@ import lzma
 import re
 import tarfile
 import zipfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, cast
@@ -203,13 +203,14 @@ def _table(content: bytes, person: Person) -> Separated:
     first = text.partition("\n")[0]
     delimiter = max(",;\t|", key=first.count)
     lines = text.splitlines(keepends=True)
+    columns = _columns_of_ids(list(csv.reader(lines, delimiter=delimiter)), person)
     reader, start = csv.reader(lines, delimiter=delimiter), 0
     rest, theirs, head = list[str](), list[object](), list[str]()
     for row in reader:
         end = reader.line_num
         if not head:
             head = [cell.strip().lower().lstrip("\ufeff") for cell in row]
-        elif _row_is_theirs(head, row, person):
+        elif _row_is_theirs(head, row, person, columns):
             theirs.append(dict(zip(head, row, strict=False)))
             start = end
             continue
@@ -218,14 +219,20 @@ def _table(content: bytes, person: Person) -> Separated:
     return Separated("".join(rest).encode(encoding) if theirs else content, _as_json(theirs), len(theirs))
 
 
-def _row_is_theirs(head: Sequence[str], row: Sequence[str], person: Person) -> bool:
-    """By an id, an address or a number; by the name where none of these is another's."""
+def _row_is_theirs(
+    head: Sequence[str], row: Sequence[str], person: Person, columns: Collection[int] = ()
+) -> bool:
+    """By an id, an address or a number, unless somebody else's stands before it (the first of a pair has the row); by the name where
+    none of these is another's. `columns` are those in which the table has the student's id: whoever has another one there is another."""
     cells = [cell.strip() for cell in row]
     moodles = {number.partition(" ")[2] for number in person.own_number if number.startswith("moodle ")}
     theirs = {number.partition(" ")[2] for number in person.strangers if number.startswith("moodle ")}
     named = another = False
-    for heading, cell in zip((*head, *[""] * len(row)), cells, strict=False):
+    for at, (heading, cell) in enumerate(zip((*head, *[""] * len(row)), cells, strict=False)):
         of_ids = any(word in heading for word in ("id", "user", "student", "mail", "login", "number"))
+        others = person.is_of_another(cell) or (not named and cell in person.others_names)
+        if others and (heading in OWNER or len(cell) >= SHORT_CELL):
+            return False
         if of_ids or len(cell) >= SHORT_CELL:
             if person.is_identified_by(cell):
                 return True
@@ -235,13 +242,21 @@ def _row_is_theirs(head: Sequence[str], row: Sequence[str], person: Person) -> b
             if number in moodles:
                 return True
             another = another or number in theirs
-        another = another or (of_ids and person.is_another(cell))
+        another = another or (of_ids and person.is_another(cell)) or (at in columns and bool(cell))
     if another or person.namesakes:
         return False
     first, last = person.student.first_name, person.student.last_name
     return named or (
         bool(first and last) and any(pair in ((first, last), (last, first)) for pair in pairwise(cells))
     )
+
+
+def _columns_of_ids(rows: Sequence[Sequence[str]], person: Person) -> frozenset[int]:
+    """The columns in which a row has the student's id, address or number."""
+    found = (
+        (at, cell.strip()) for row in rows for at, cell in enumerate(row) if len(cell.strip()) >= SHORT_CELL
+    )
+    return frozenset(at for at, cell in found if person.is_identified_by(cell))
 
 
 def _log(content: bytes, person: Person) -> Separated:

@@ -23,7 +23,7 @@ SKIPPED = {"__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini", ".ipynb_checkpoi
 # Nothing else can be of use; some browsers save a notebook as text.
 READ = (".ipynb", ".ipynb.txt", ".ipynb.json")
 # A form that a student filled in, whatever an LMS put before its name.
-REQUEST = re.compile(r"request_.*\.(?:md|txt|markdown)$", re.IGNORECASE)
+REQUEST = re.compile(r"request[ _-].*\.(?:md|txt|markdown)$", re.IGNORECASE)
 # The rest (bzip2, LZMA, Deflate64, PPMd) is unpacked in pieces of no bounded size, and no LMS writes it.
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
 OTHER_METHODS = {9: "Deflate64", 12: "bzip2", 14: "LZMA", 93: "Zstandard", 95: "xz", 98: "PPMd"}
