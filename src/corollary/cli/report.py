@@ -89,7 +89,7 @@ def _history(course: Course, name: str, set_name: str, as_json: bool) -> int:
     found = student_history(course, who.id, set_name)
     if set_name and not found:
         refuse(
-            f"nothing of {who.id} is marked in {set_name}; the course has {', '.join(graded_sets(course)) or 'no set'}"
+            f"nothing of {who.id} is marked in {set_name}; sets with marks: {', '.join(graded_sets(course)) or 'none'}"
         )
     if as_json:
         answer(history_record(found, who.id, {who.id: who.name}))

@@ -318,8 +318,5 @@ def _mentioned(parts: tuple[str, ...], path: Path, person: Person, done: Persona
         return
     for inner, text in texts_within((where,), content):
         if count := mentions(text, person):
-            done.left[inner] = (
-                f"names the student {count} times in another's text; look at it, and decide"
-                if count > 1
-                else ("names the student in another's text; look at it, and decide")
-            )
+            times = f" {count} times" if count > 1 else ""
+            done.left[inner] = f"names the student{times}, and is not theirs; look at it, and decide"
