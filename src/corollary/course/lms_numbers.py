@@ -143,7 +143,7 @@ def as_they_came(
     hand-in, and not those of a copy on somebody's disk. It is known by its content; one that was saved again, where files under
     the student's name were refused and none was taken, by the number that is the student's. With none its time is not known."""
     by_digest: dict[str, dict[str, LmsName]] = {}
-    refused, taken = list[LmsName](), set[str]()
+    refused, with_hand_in = list[LmsName](), set[str]()
     for each in arrivals:
         if lms := lms_name(each.file.split("/")):
             if each.digest:
@@ -151,14 +151,14 @@ def as_they_came(
             if each.outcome == NOBODY:
                 refused.append(lms)
             elif each.outcome in (ACCEPTED, UNCHANGED):
-                taken.add(each.student)
+                with_hand_in.add(each.student)
     found = list[Found]()
     for each in met:
         names = {} if each.lms else by_digest.get(digest_of(each.content), {})
         theirs = [] if each.lms else [lms for lms in refused if directory.admits(lms, each.student)]
         if len(names) == 1:
             found.append(replace(each, lms=next(iter(names.values()))))
-        elif theirs and each.student not in taken:
+        elif theirs and each.student not in with_hand_in:
             own = [lms for lms in theirs if lms.key in known.certain(each.student, lms.lms)]
             undated = replace(each, member=replace(each.member, modified=None))
             found.append(replace(each, lms=own[0]) if own else undated)
