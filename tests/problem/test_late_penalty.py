@@ -119,6 +119,8 @@ def test_students_read_the_rule_and_how_it_was_reckoned(tmp_path: Path) -> None:
     with language("de"):
         assert "× 0,80" in delay_in_words(steps, due, late)
     assert "nothing counts" in delay_in_words(steps, due, week.delay(due, at("2026-12-12 09:00")))
+    floor = delay_in_words(steps, due, week.delay(due, at("2026-12-11 09:00")))
+    assert "6 calendar days late, 10 % a day: × 0.50 (at least 50 % is kept)" in floor
     plain = read(tmp_path, "late: {daily: 10 %}\n")
     assert delay_in_words(plain.late_steps, due, plain.delay(due, at("2026-12-06 09:00"))) == (
         "Handed in 2 calendar days late, 10 % a day: × 0.80"

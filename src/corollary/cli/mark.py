@@ -9,7 +9,7 @@ from typing import Any
 
 import msgspec
 
-from corollary.cli.ending import HOLDS, MOST_LISTED, answer, refuse
+from corollary.cli.ending import HOLDS, MOST_LISTED, answer, counted, refuse
 from corollary.cli.local_page import OnePageServer, serve
 from corollary.course.up_to_date import up_to_date
 from corollary.grading.near_misses import accepted_text
@@ -176,7 +176,10 @@ def run(
         parts = [_record(each, people) for each in left]
         answer({"set": problem_set.name, "given": len(marks), "parts": parts})
     elif marks:
-        print(f"{len(marks)} {'mark' if len(marks) == 1 else 'marks'} given in {problem_set.name}")
+        withdrawn = sum(not mark.is_given for mark in marks.values())
+        for count, what in ((len(marks) - withdrawn, "given"), (withdrawn, "taken back")):
+            if count:
+                print(f"{counted(count, 'mark')} {what} in {problem_set.name}")
     return HOLDS
 
 

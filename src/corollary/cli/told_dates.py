@@ -77,9 +77,10 @@ def warn_of_dates(problem_set: ProblemSet, at: datetime | None = None, course: C
     at = at or now()
     handed_in = course is not None and bool(submissions(course, problem_set.name))
     due = problem_set.due
-    if due is not None and problem_set.delay(due, at).seconds > 0 and not handed_in:
+    if due is not None and (delay := problem_set.delay(due, at)).seconds > 0 and not handed_in:
+        so = "nothing counts any more" if delay.rule == "last day" else "every hand-in counts as late"
         say(
-            f"warning: {problem_set.name} was due {written(due)}, so every hand-in counts as late; "
+            f"warning: {problem_set.name} was due {written(due)}, so {so}; "
             "correct due: in the set's file if that is not meant"
         )
     if problem_set.opens is not None and at < problem_set.opens:

@@ -144,6 +144,8 @@ def delay_in_words(steps: LateSteps, due: datetime, delay: Delay) -> str:
         daily=percent(steps.daily),
         share=share,
     )
+    if steps.daily * delay.days > 1 - steps.least:
+        counted = _("{counted} (at least {least} is kept)", counted=counted, least=percent(steps.least))
     if (start := steps.grace_end(due)) != due:
         return _("{counted} (counted from {moment})", counted=counted, moment=in_words(start))
     return counted

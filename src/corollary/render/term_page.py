@@ -179,6 +179,7 @@ def _pieces(term: CourseTerm, lines: Sequence[MisconceptionTerm]) -> Iterator[Re
         yield from _more(len(behind))
         yield Text(behind_text(term), style="dim")
     again = [each for each in lines if each.repeated]
+    names = {line.student.id: line.student.name_with_id for line in term.students}
     some = again or [each for each in lines if not each.misconception.is_slip][:FEW]
     if some:
         yield _table(
@@ -190,7 +191,7 @@ def _pieces(term: CourseTerm, lines: Sequence[MisconceptionTerm]) -> Iterator[Re
                     *(str(each.counts.get(name, "·")) for name in term.names),
                     str(len(each.repeated)),
                     str(len(each.lost)),
-                    few(each.repeated, 4) if each.repeated else "",
+                    few([names.get(one, one) for one in each.repeated], 4) if each.repeated else "",
                 )
                 for each in some[:MOST]
             ),
