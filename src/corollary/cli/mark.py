@@ -47,15 +47,16 @@ def mark_in_terminal(parts: Sequence[PartToMark], give: Give, names: Mapping[str
         print("no answer waits for marking")
     given: list[str] = []
 
-    def counted(part: str, group: AnswerGroup, mark: ManualMark) -> None:
+    def give_and_count(part: str, group: AnswerGroup, mark: ManualMark) -> None:
         give(part, group, mark)
         given.extend(group.students)
 
     try:
-        _ask_all(parts, counted, names)
+        _ask_all(parts, give_and_count, names)
     except EOFError:
-        count = "1 mark" if len(given) == 1 else f"{len(given)} marks"
-        print(f"\nthe input ended: {count} given and saved; the other answers still wait")
+        print(
+            f"\nthe input ended: {counted(len(given), 'mark')} given and saved; the other answers still wait"
+        )
 
 
 def _ask_all(parts: Sequence[PartToMark], give: Give, names: Mapping[str, str]) -> None:

@@ -347,7 +347,7 @@ def _members(sources: Sequence[Path], directory: Directory, set_name: str) -> It
 
     def whose(parts: Sequence[str]) -> str:
         if lms := lms_name(parts):
-            return directory.of_lms(lms) or f"{lms.name} ({lms.lms} {lms.number})"
+            return directory.of_lms(lms) or f"{lms.name} ({lms.key})"
         return next(filter(None, map(named, parts)), "")
 
     for source in sources:

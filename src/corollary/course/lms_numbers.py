@@ -152,19 +152,34 @@ def as_they_came(
                 refused.append(lms)
             elif each.outcome in (ACCEPTED, UNCHANGED):
                 with_hand_in.add(each.student)
-    found = list[Found]()
-    for each in met:
-        names = {} if each.lms else by_digest.get(digest_of(each.content), {})
-        theirs = [] if each.lms else [lms for lms in refused if directory.admits(lms, each.student)]
-        if len(names) == 1:
-            found.append(replace(each, lms=next(iter(names.values()))))
-        elif theirs and each.student not in with_hand_in:
-            own = [lms for lms in theirs if lms.key in known.certain(each.student, lms.lms)]
-            undated = replace(each, member=replace(each.member, modified=None))
-            found.append(replace(each, lms=own[0]) if own else undated)
-        else:
-            found.append(each)
-    return found
+    return [
+        each
+        if each.lms
+        else _as_it_came(
+            each,
+            by_digest.get(digest_of(each.content), {}),
+            () if each.student in with_hand_in else refused,
+            known,
+            directory,
+        )
+        for each in met
+    ]
+
+
+def _as_it_came(
+    each: Found,
+    same_content: Mapping[str, LmsName],
+    refused: Sequence[LmsName],
+    known: LmsNumbers,
+    directory: Directory,
+) -> Found:
+    if len(same_content) == 1:
+        return replace(each, lms=next(iter(same_content.values())))
+    theirs = [lms for lms in refused if directory.admits(lms, each.student)]
+    if not theirs:
+        return each
+    own = [lms for lms in theirs if lms.key in known.certain(each.student, lms.lms)]
+    return replace(each, lms=own[0]) if own else replace(each, member=replace(each.member, modified=None))
 
 
 def _number(found: Found) -> str:

@@ -109,7 +109,7 @@ def _below(path: Path, extracted: str) -> tuple[str, ...]:
 def _outermost(parts: Sequence[str]) -> str:
     """Whose a file of an archive is, as far as bounds go: what an LMS knows the student by, else the folder it lies in."""
     if lms := lms_name(parts):
-        return f"{lms.name} ({lms.lms} {lms.number})"
+        return f"{lms.name} ({lms.key})"
     return parts[0] if len(parts) > 1 else ""
 
 

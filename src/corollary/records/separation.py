@@ -203,11 +203,11 @@ def _table(content: bytes, person: Person) -> Separated:
     first = text.partition("\n")[0]
     delimiter = max(",;\t|", key=first.count)
     lines = text.splitlines(keepends=True)
-    columns = _columns_of_ids(list(csv.reader(lines, delimiter=delimiter)), person)
     reader, start = csv.reader(lines, delimiter=delimiter), 0
+    rows = [(row, reader.line_num) for row in reader]
+    columns = _columns_of_ids([row for row, _ in rows], person)
     rest, theirs, head = list[str](), list[object](), list[str]()
-    for row in reader:
-        end = reader.line_num
+    for row, end in rows:
         if not head:
             head = [cell.strip().lower().lstrip("\ufeff") for cell in row]
         elif _row_is_theirs(head, row, person, columns):
@@ -219,9 +219,7 @@ def _table(content: bytes, person: Person) -> Separated:
     return Separated("".join(rest).encode(encoding) if theirs else content, _as_json(theirs), len(theirs))
 
 
-def _row_is_theirs(
-    head: Sequence[str], row: Sequence[str], person: Person, columns: Collection[int] = ()
-) -> bool:
+def _row_is_theirs(head: Sequence[str], row: Sequence[str], person: Person, columns: Collection[int]) -> bool:
     """By an id, an address or a number, unless somebody else's stands before it (the first of a pair has the row); by the name where
     none of these is another's. `columns` are those in which the table has the student's id: whoever has another one there is another."""
     cells = [cell.strip() for cell in row]

@@ -37,8 +37,8 @@ def page(
     """The page a template of `templates/` makes of the facts; what is no Markup among them is escaped.
 
     `script` and `style` name a file of `templates/`, or several; `page.css` is there in any case. Nothing else runs, and nothing is
-    fetched: the page's own policy forbids both, but that a page which `sends` may answer the server that it came from, and one that `loads` may run the files beside it and
-    Python in WebAssembly. With `formulas` it brings the font for those that come later.
+    fetched: the page's own policy forbids both, but that a page which `sends` may answer the server that it came from, and one that
+    `loads` may run the files beside it and Python in WebAssembly. With `formulas` it brings the font for those that come later.
     """
     body = CONTROLS.sub("\ufffd", environment().get_template(template).render(**facts))
     sheet = _style(font_file(body, formulas)) + _texts(style)
